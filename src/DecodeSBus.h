@@ -165,7 +165,6 @@ class DecodeSBusOf {
   template <typename Object>
   void hear(void (Object::*method)(), Object *object);
   void arrived();
-  bool leavesUnread();
   void take(bool isPrompt);
   void poll(bool isPrompt);
   void judge(const uint8_t *frame);

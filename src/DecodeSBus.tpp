@@ -65,23 +65,7 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
 
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::arrived() {
-  if (!Events::wantsTimes() && leavesUnread()) {
-    return;
-  }
   take(true);
-}
-
-// Reads nothing, and returns true, while the first half of a frame waits: one read costs less than two.
-template <typename Format, typename Events>
-inline bool DecodeSBusOf<Format, Events>::leavesUnread() {
-  if (!_port.tellsIdle() || _port.wasIdle() || !_port.enter()) {
-    return false;
-  }
-  const bool mayWait = _finder.mayWait(_port.waiting(), micros());
-  if (mayWait) {
-    _port.read(_finder.space(), 0);  // the port calls again
-  }
-  return !_port.leave() && mayWait;
 }
 
 // Polls, and once more if the port has called back meanwhile.
@@ -128,14 +112,19 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
     }
     return;
   }
-  if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
+  const unsigned bytes = static_cast<unsigned>(found);
+  if (isPrompt && !Events::wantsTimes() && _port.tellsIdle() && !_port.wasIdle() && _finder.mayWait(bytes, now)) {
+    _port.read(_finder.space(), 0);  // reads nothing: then the port calls again. One read costs less than two
+    return;
+  }
+  if (_port.mayHaveLostOldest(bytes)) {
     _finder.broken();  // the bytes that wait stand after the loss
   }
   int split = 0;
   if (_port.tellsIdle()) {
-    split = _finder.pollIdling(static_cast<unsigned>(found), now, isPrompt, _port.wasIdle());
+    split = _finder.pollIdling(bytes, now, isPrompt, _port.wasIdle());
   } else {
-    _finder.poll(static_cast<unsigned>(found), now);
+    _finder.poll(bytes, now);
   }
   for (int waiting = found; waiting > 0;) {
     const int count = read(split != 0 ? split : waiting);
@@ -159,7 +148,7 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
   }
   // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,
   // and those that have come may stand before the loss or after it.
-  if (_port.losesNewest() && static_cast<unsigned>(found) > _port.half()) {
+  if (_port.losesNewest() && bytes > _port.half()) {
     int more = _port.available();
     if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
       _finder.broken();

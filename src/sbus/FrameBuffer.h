@@ -37,28 +37,31 @@ class FrameBuffer {
 
   /// Returns the index of the first byte after the newest gap, 0..filled(), or Nowhere.
   int gapAt() const { return _gapAt; }
-  Silence gap() const { return static_cast<Silence>(_gap); }  ///< how certain that gap is: Likely, Gap or Wide
-  /// Returns true if the incoming frame begins after a wide gap.
-  bool beginsWide() const { return _gapAt == 0 ? gap() == Silence::Wide : _beginsWide; }
-  /// Returns the longest gap between the first Size bytes: Unknown if there is none.
-  Silence inside() const { return static_cast<Silence>(isInside() && _gap > _inside ? _gap : _inside); }
+  Silence gap() const { return _gap; }  ///< how certain that gap is: Likely, Gap or Wide
+  /// Returns true if a wide gap comes before the incoming frame.
+  bool beginsWide() const { return _gapAt == 0 ? _gap == Silence::Wide : _beginsWide; }
+  /// Returns the longest of the gaps before the newest one that lie inside a frame at the beginning, or Unknown.
+  Silence inside() const { return _inside; }
   /// Marks a gap before the next byte.
-  void markGap(Silence silence) {
-    if (_gapAt != _filled) {
-      _beginsWide = beginsWide();
-      _inside = static_cast<uint8_t>(inside()) & 3;
-      _gapAt = _filled;
-    } else if (silence < gap()) {
+  void markGap(Silence gap) {
+    if (_gapAt == _filled) {
+      _gap = gap > _gap ? gap : _gap;
       return;
     }
-    _gap = static_cast<uint8_t>(silence) & 3;
+    if (_gapAt == 0) {
+      _beginsWide = _gap == Silence::Wide;
+    } else if (_gapAt < Format::Size && _gap > _inside) {
+      _inside = _gap;
+    }
+    _gapAt = _filled;
+    _gap = gap;
   }
 
   /// Forgets the incoming frame.
   void clear() {
     _filled = 0;
     _gapAt = Nowhere;
-    _gap = 0;
+    _gap = Silence::Unknown;
     forgetGaps();
   }
 
@@ -81,6 +84,11 @@ class FrameBuffer {
     }
   }
 
+  /// Drops the incoming frame, which began at `beginning` before drop().
+  void restart(uint8_t *beginning) {
+    _incoming = beginning;
+  }
+
   /// Completes the frame at the beginning of the buffer, and returns it. The bytes after it continue in the other
   /// place.
   const uint8_t *complete() {
@@ -99,6 +107,7 @@ class FrameBuffer {
 
  private:
   static constexpr int Pad = 3;  // bytes before a frame: they align its payload to a word
+  static constexpr int Spare = 2;  // these, and the five members before them, are the first place's pad
   // A frame, its tail, and the characters after it that are judged; rounded so that the other payload is aligned as
   // well.
   static constexpr int Capacity = (Pad + Format::Size + LongestTail + 10) / 4 * 4 - Pad;
@@ -114,19 +123,16 @@ class FrameBuffer {
   // Only the newest gap is remembered, and what those before it say about a frame that begins with the first byte.
   void forgetGaps() {
     _beginsWide = false;
-    _inside = 0;
+    _inside = Silence::Unknown;
   }
-  bool isInside() const { return _gapAt > 0 && _gapAt < Format::Size; }
 
-  // These three bytes are the first place's pad: 4 bytes of RAM less.
   alignas(uint32_t) uint8_t _filled;
   uint8_t _gapAt;
-  uint8_t _gap : 2;  // a Silence up to Wide, as is _inside
-  uint8_t _inside : 2;
-  bool _beginsWide : 1;
-  uint8_t _places[Capacity + Pad + Capacity];
-  uint8_t *_incoming = _places + Capacity + Pad;
-  uint8_t *_newest = _places;
+  Silence _gap, _inside;
+  bool _beginsWide;
+  uint8_t _places[Spare + Capacity + Pad + Capacity];
+  uint8_t *_incoming = _places + Spare + Capacity + Pad;
+  uint8_t *_newest = _places + Spare;
 };
 
 }  // namespace sbus

@@ -227,30 +227,34 @@ template <typename Format, typename Events>
 SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
   startPoll(found);
   const unsigned unread = _unread;
+  _unread = 0;
   const uint32_t lastPoll = _timing.lastPoll();
   const uint32_t handedOver = isPrompt ? now : lastPoll;
-  const unsigned first = unread != 0 ? unread : found;
-  const uint32_t before = _timing.silence(first, unread != 0 ? lastPoll : handedOver, _timing.lastBytes());
-  const uint32_t within = unread != 0 ? _timing.silence(found - unread, handedOver, lastPoll) : 0;
-  _unread = 0;
+  uint32_t before, within = 0;
+  if (unread != 0) {
+    within = _timing.silence(found - unread, handedOver, lastPoll);
+    before = _timing.silence(unread, lastPoll, _timing.lastBytes());
+  } else {
+    before = _timing.silence(found, handedOver, _timing.lastBytes());
+  }
   _timing.taken(now);
   const int filled = _buffer.filled();
-  const unsigned all = static_cast<unsigned>(filled) + found;
   const bool isDue = _aligned && _expectedAt == 0;
-  const bool isWhole = isIdle && all % Format::Size == 0 && (_buffer.gapAt() == 0 || isDue);
-  const uint32_t bearable = isWhole ? _timing.bearable(all / Format::Size, isDue ? _counters.period : 0) : 0;
-  const Silence silence = _timing.lasting(before);
-  if (silence == Silence::Long) {
+  uint32_t bearable = _timing.shortestGap();
+  if (isIdle && filled + static_cast<int>(found) == Format::Size && (_buffer.gapAt() == 0 || isDue)) {
+    bearable = LineTiming::bearable(isDue ? _counters.period : 0);
+  }
+  if (before >= LineTiming::LongSilence) {
     startOver(rules::FirstOffBy);
-  } else if (silence != Silence::Unknown) {
+  } else if (before > _timing.shortestGap()) {
     if (_buffer.gapAt() == filled || _acquisition.isFrame() || (filled == Format::Size && (isDue || _buffer.beginsWide()))) {
-      gapBefore(silence);
+      gapBefore(before > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
     } else if (before > bearable) {
       likelyGap();
     }
   }
   _acquisition.characters(found);
-  return _timing.lasting(within) != Silence::Unknown && within > bearable ? static_cast<int>(unread) : 0;
+  return within > bearable ? static_cast<int>(unread) : 0;
 }
 
 /// Finds frames of 16 channels, which nearly all receivers send.

@@ -86,7 +86,7 @@ void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
   if (gap == Silence::Wide && filled < Size && _buffer.isHeader(0)) {
     uint8_t *const beginning = _buffer.bytes();
     discard(filled);  // no frame has such a gap inside
-    _buffer.moveTo(beginning);
+    _buffer.restart(beginning);
   }
   _buffer.markGap(gap);
   if (!Events::seesEachGap()) {
@@ -243,11 +243,11 @@ inline uint8_t FrameFinderOf<Format, Events>::variantAt(int start) {
 template <typename Format, typename Events>
 SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t variant) {
   const int offBy = start - _expectedAt;
-  const int gapAt = _buffer.gapAt() - start;
-  const Silence inside = start == 0 ? _buffer.inside() : gapAt > 0 && gapAt < Size ? _buffer.gap() : Silence::Unknown;
+  const bool isFirst = start == 0;
   return rules::judge(
-      Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, gapAt, _buffer.gap(), inside,
-                        start == 0 && _buffer.beginsWide(), variant, _variant, offBy, offBy == 0 && _aligned},
+      Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
+                        isFirst ? _buffer.inside() : Silence::Unknown, isFirst && _buffer.beginsWide(), variant, _variant,
+                        offBy, offBy == 0 && _aligned},
       _acquisition);
 }
 

@@ -58,7 +58,7 @@ struct Candidate {
   int count;             ///< 25 or more
   int gapAt;             ///< index of the first character after the newest gap; may lie outside
   Silence gap;           ///< how certain that gap is: Likely, Gap or Wide
-  Silence inside;        ///< the longest gap inside; Unknown: none
+  Silence inside;        ///< the longest gap inside before that one; Unknown: none
   bool beginsWide;       ///< a wide gap comes before it
   uint8_t variant;       ///< of its end byte, a row of LineVariants
   uint8_t lineVariant;   ///< of the line, or UnknownVariant
@@ -74,8 +74,6 @@ struct Candidate {
   SBUS_IN_LINE bool isGapAfter() const { return isGapCertain() && gapAt >= Format::Size && gapAt <= size(); }
   SBUS_IN_LINE bool isGapBefore() const { return isGapCertain() && gapAt == 0; }  ///< a gap comes before it
   SBUS_IN_LINE bool isGapCertain() const { return gap >= Silence::Gap; }  ///< otherwise loop() may have been blocked
-  /// Returns from where on a frame may begin that does not have the gap inside.
-  SBUS_IN_LINE int afterGap() const { return gapAt > 0 && gapAt < Format::Size ? gapAt : int{Format::Size}; }
 };
 
 /// The rules, a function each: without a rule its function always returns what test/impairment/RULES says. All but
@@ -94,14 +92,14 @@ SBUS_IN_LINE bool areFlags(uint8_t byte) {
 /// Returns true if a gap lies inside: the end of one frame and the start of the next, or a stretched frame.
 template <typename Format>
 SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
-  return c.inside != Silence::Unknown;
+  return (c.gapAt > 0 && c.gapAt < Format::Size) || c.inside != Silence::Unknown;
 }
 
 /// Returns true if its sender may have stretched it: it begins where a frame is due, or after a wide gap, and no gap
 /// inside is wide. Parts of two frames that fit together are a frame period apart.
 template <typename Format>
 SBUS_IN_LINE bool mayBeStretched(const Candidate<Format> &c) {
-  return c.inside < Silence::Wide && (c.isInSync || c.beginsWide);
+  return (c.isInSync || c.beginsWide) && c.inside < Silence::Wide && (c.gap < Silence::Wide || c.gapAt >= Format::Size);
 }
 
 /// Returns true if a header follows it; 2F counts on lines with such frames (needed where the gap before is not
@@ -227,18 +225,18 @@ SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t v
 /// Judges a frame with a gap inside. A gap must follow it directly: a wide one, until the line's variant is known.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeStretched(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
+  const bool isInside = c.gapAt < Format::Size;
   if (mayBeStretched(c)) {
-    if (c.isGapAfter() && (c.hasLineVariant() || c.gap == Silence::Wide)) {
+    if (c.gapAt == Format::Size && c.gap >= (c.hasLineVariant() ? Silence::Gap : Silence::Wide)) {
       acquisition.stretchedFrame();
-      return acquisition.isStretched() && c.inside == Silence::Gap
-                 ? Verdict::accept(true)
-                 : Verdict::reject(Rejection::GapInside, Format::Size);
-    }
-    if (c.count <= c.size()) {
+      if (acquisition.isStretched() && c.inside == Silence::Gap) {
+        return Verdict::accept(true);
+      }
+    } else if (c.count == Format::Size) {
       return Verdict::wait();
     }
   }
-  return Verdict::reject(Rejection::GapInside, c.afterGap());
+  return Verdict::reject(Rejection::GapInside, isInside ? c.gapAt : int{Format::Size});
 }
 
 /// Judges by all rules, the cheapest first.

@@ -92,21 +92,18 @@ class LineTiming {
     return us > most ? us - most : 0;
   }
 
-  /// Returns what a silence() of `us` is.
-  Silence lasting(uint32_t us) const {
-    return us >= LongSilence                       ? Silence::Long
-           : us > LongestStop                      ? Silence::Wide
-           : us > unsigned{Gap} * _characterTime ? Silence::Gap
-                                                   : Silence::Unknown;
+  /// Returns the longest silence(), in us, that is no gap.
+  uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }
+
+  /// Returns for how long a frame may seem to be interrupted, in us, where parts of two frames are `period` apart; 0: it is
+  /// not known.
+  static uint32_t bearable(uint32_t period) {
+    constexpr uint32_t Together = 2500;  // us: of 16 characters, silence() takes this much too much
+    return static_cast<int32_t>(period) > static_cast<int32_t>(LongestStop + Together) ? period - Together : LongestStop;
   }
 
-  /// Returns for how long `frames` whole frames may seem to be interrupted, in us, where parts of two frames are `period`
-  /// apart; 0: it is not known.
-  static uint32_t bearable(unsigned frames, uint32_t period) {
-    constexpr uint32_t Together = 2500;  // us: of 16 characters, silence() takes this much too much
-    const uint32_t us = frames * period;
-    return us > LongestStop + Together ? us - Together : LongestStop;
-  }
+  static constexpr unsigned LongSilence = 50000;  ///< us: longer than any frame period
+  static constexpr unsigned LongestStop = 1500;   ///< us: no sender is silent for longer within a frame
 
   /// Takes a time at which the bytes that wait do not yet complete a frame.
   void incomplete(uint32_t now) { _lastPoll = now; }
@@ -131,8 +128,8 @@ class LineTiming {
   bool fallsShort(int found, int missing, uint32_t period, bool isStretched) const {
     const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? LongestBurst : 0);
     const unsigned most = isStretched ? handedOver * MostStretched + _idleCharacters + Gap : inTime<Format>(handedOver);
-    const uint32_t enough = uint32_t{most} * _characterTime;
-    uint32_t late = _lastPoll - _pollBefore;
+    const unsigned enough = most * _characterTime;
+    unsigned late = capped(_lastPoll - _pollBefore);
     if (late <= enough || (!ClockRuns && found >= missing)) {
       return false;
     }
@@ -141,7 +138,7 @@ class LineTiming {
       if (late <= period) {
         return false;
       }
-      late -= period;
+      late -= static_cast<unsigned>(period);
     }
     return true;
   }
@@ -161,7 +158,6 @@ class LineTiming {
  private:
   static constexpr uint16_t HasEmptyPolls = UINT16_MAX;
   static constexpr uint32_t HalfClock = INT32_MAX;   // us: a Cortex-M0+ compares with the sign
-  static constexpr unsigned LongSilence = 50000;     // us
   static constexpr unsigned LongestInterval = 8000;  // us between polls; above it no gap is certain
   static constexpr unsigned AssumedInterval = 4000;  // us between polls, while none was shorter than LongestInterval
   static constexpr unsigned LongestBurst = 16;       // characters: the most that a port hands over at once
@@ -170,7 +166,6 @@ class LineTiming {
   // Some senders stretch a frame: 240 us from one character to the next, or silences of half a millisecond
   // (extras/docs/receiver.md).
   static constexpr unsigned MostStretched = 2;    // characters' time for each
-  static constexpr unsigned LongestStop = 1500;  // us: no sender is silent for longer within a frame
 
   // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
