@@ -7,6 +7,7 @@
 #include <limits.h>
 
 #include "SBusPort.h"
+#include "port/Clock.h"
 #include "port/Listener.h"
 #include "sbus/Barrier.h"
 #include "sbus/FrameFinder.h"
@@ -17,6 +18,13 @@ namespace sbus {
 
 class LinkQuality;
 class Ticker;
+
+/// @cond  Not for sketches.
+
+// A link, and the clock that its ages come from. (A base class without members takes no byte.)
+struct ClockedLink : Link, Clock {};
+
+/// @endcond
 
 }  // namespace sbus
 
@@ -156,7 +164,9 @@ class DecodeSBusOf {
  protected:
   /// @cond  For the classes of this library.
 
+  sbus::LinkState state(uint32_t &age);
   bool newest(Frame &frame);
+  void decode(sbus::LinkState state, ChannelArray channels, bool &failsafe, bool &lostFrame);
   void start(unsigned long baud);
   void reset(unsigned long baud);
   template <typename Object>
@@ -170,7 +180,7 @@ class DecodeSBusOf {
   // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
   sbus::FrameFinderOf<Format, Events> _finder;
   sbus::ListeningPort _port;
-  sbus::Link _link;
+  sbus::ClockedLink _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last
   uint32_t _staleExtra = 0;  // number of the frame with extra channels that was found stale
 
@@ -180,7 +190,7 @@ class DecodeSBusOf {
   friend class sbus::LinkQuality;  // for the clock
   friend class sbus::Ticker;       // for the port
 
-  static uint32_t clock() { return micros(); }
+  static uint32_t clock() { return sbus::Clock::now(); }
 };
 
 /// Decodes sixteen channels and two switches, which nearly all receivers send, and the extra channels of Futaba's
