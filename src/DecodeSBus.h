@@ -133,11 +133,13 @@ class DecodeSBusOf {
   // ---- The link
 
   /// Returns how far the channels can be trusted: NeverSeen before the first frame, then Ok, Lossy, Failsafe or Stale.
-  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes.
+  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes. If the
+  /// board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/boards.md, "A board that sleeps").
   sbus::LinkState linkState();
 
   /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never
-  /// underestimated: it counts from the last poll before the frame's end. Call it at least once an hour.
+  /// underestimated while the board is awake: it counts from the last poll before the frame's end. It includes the
+  /// board's sleep, by millis(), on a Grasshopper; on other boards see linkState(). Call it at least once an hour.
   unsigned long frameAge();
 
   /// Returns the counters since begin(), all taken at one moment. All are 0 before the first byte.
