@@ -56,39 +56,31 @@ class Link {
   /// Returns the age of the newest frame, us, if a clock that wraps says `age`: from the wrap on UINT32_MAX, until the
   /// next frame. Call it at least once an hour. Undefined before the first frame.
   uint32_t age(uint32_t age) {
-    if (_wrap == Wrap::Near && age <= HalfClock) {
-      _wrap = Wrap::Past;
-    }
-    if (_wrap == Wrap::Past) {
+    const uint8_t whole = static_cast<uint8_t>(age >> 24);
+    const uint8_t aged = whole < Wrapped ? whole : Wrapped - 1;
+    if (aged > _aged) {  // written as seldom as can be: frame() may have come since it was read
+      _aged = aged;
+    } else if (aged < _aged) {
+      _aged = Wrapped;
       return UINT32_MAX;
-    }
-    if (age > HalfClock) {
-      _wrap = Wrap::Near;
     }
     return age;
   }
 
   /// Makes the newest frame as old as age() can say, until the next frame.
-  void makeOld() { _wrap = Wrap::Past; }
+  void makeOld() { _aged = Wrapped; }
 
   /// Returns true if a frame of this age, in us, is as old as the timeout.
   bool isStale(uint32_t age) const { return age >= _timeout * 1000UL && _timeout != 0; }
 
  private:
-  static constexpr uint32_t HalfClock = INT32_MAX;  // us: a Cortex-M0+ compares with the sign
-
-  // Where the clock stood when the age of the newest frame was asked for last.
-  enum class Wrap : uint8_t {
-    Far,   // less than half a wrap after the frame
-    Near,  // more
-    Past,  // wrapped
-  };
+  static constexpr uint8_t Wrapped = UINT8_MAX;
 
   uint16_t _timeout = DefaultTimeout;
   uint16_t _lossLimit = DefaultLossLimit;
   uint16_t _losses;  // lost frames in a row
   LinkState _state;  // of the newest frame, when it came
-  Wrap _wrap;
+  uint8_t _aged;     // what age() returned last for the newest frame, in units of 16.8 s, 0..254; or Wrapped
 };
 
 }  // namespace sbus
