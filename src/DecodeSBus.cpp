@@ -11,7 +11,7 @@ bool DecodeSBus::decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::Proporti
     if (number == _staleExtra || channels == nullptr) {
       return false;
     }
-    if (!_link.isStale(micros() - _finder.extraTime())) {
+    if (!_link.isStale(_link.ageOf(_finder.extraTime()))) {
       break;
     }
     sbus::barrier();

@@ -7,6 +7,7 @@
 #include <limits.h>
 
 #include "SBusPort.h"
+#include "port/Clock.h"
 #include "port/Listener.h"
 #include "sbus/Barrier.h"
 #include "sbus/FrameFinder.h"
@@ -17,6 +18,13 @@ namespace sbus {
 
 class LinkQuality;
 class Ticker;
+
+/// @cond  Not for sketches.
+
+// A link, and the clock that its ages come from. (A base class without members takes no byte.)
+struct ClockedLink : Link, Clock {};
+
+/// @endcond
 
 }  // namespace sbus
 
@@ -128,11 +136,13 @@ class DecodeSBusOf {
   // ---- The link
 
   /// Returns how far the channels can be trusted: NeverSeen before the first frame, then Ok, Lossy, Failsafe or Stale.
-  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes.
+  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes. If the
+  /// board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/boards.md, "A board that sleeps").
   sbus::LinkState linkState();
 
   /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never
-  /// underestimated: it counts from the last poll before the frame's end. Call it at least once an hour.
+  /// underestimated while the board is awake: it counts from the last poll before the frame's end. It includes the
+  /// board's sleep, by millis(), on a Grasshopper; on other boards see linkState(). Call it at least once an hour.
   unsigned long frameAge();
 
   /// Returns the counters since begin(), all taken at one moment. All are 0 before the first byte.
@@ -159,7 +169,9 @@ class DecodeSBusOf {
  protected:
   /// @cond  For the classes of this library.
 
+  sbus::LinkState state(uint32_t &age);
   bool newest(Frame &frame);
+  void decode(sbus::LinkState state, ChannelArray channels, bool &failsafe, bool &lostFrame);
   void start(unsigned long baud);
   void reset(unsigned long baud);
   template <typename Object>
@@ -173,7 +185,7 @@ class DecodeSBusOf {
   // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
   sbus::FrameFinderOf<Format, Events> _finder;
   sbus::ListeningPort _port;
-  sbus::Link _link;
+  sbus::ClockedLink _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last
   uint32_t _staleExtra = 0;  // number of the frame with extra channels that was found stale
 
@@ -183,7 +195,7 @@ class DecodeSBusOf {
   friend class sbus::LinkQuality;  // for the clock
   friend class sbus::Ticker;       // for the port
 
-  static uint32_t clock() { return micros(); }
+  static uint32_t clock() { return sbus::Clock::now(); }
 };
 
 /// Decodes sixteen channels and two switches, which nearly all receivers send, and the extra channels of Futaba's

@@ -9,6 +9,13 @@ inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
 
+// Forgets the slots that came before the board slept: their ages count frames.
+template <typename Events>
+inline void forgetSlots(Events &events) {
+  events.forgetAll();
+}
+inline void forgetSlots(sbus::NoEvents &) {}
+
 }  // namespace
 
 template <typename Format, typename Events>
@@ -35,6 +42,7 @@ inline void DecodeSBusOf<Format, Events>::reset(unsigned long baud) {
   const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
   _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
   _link.reset();
+  _link.start();
   _decoded = 0;
   _staleExtra = 0;
 }
@@ -88,11 +96,19 @@ __attribute__((always_inline)) inline int DecodeSBusOf<Format, Events>::read(int
 }
 
 // Judges the link by a frame that has come. Until a sketch has channels, a frame that withholds them is failsafe.
+//
+// If the board has slept since the frame before, what came before the sleep counts as old, and so does this frame: parts
+// of two may have been joined, since the silence between them seemed short.
 template <typename Format, typename Events>
 inline void DecodeSBusOf<Format, Events>::judge(const uint8_t *frame) {
   const sbus::Counters &counters = _finder.counters();
   const bool hasNone = Format::Withholds && counters.lostFrames == counters.frames;
   _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
+  if (_link.took(_finder.frameTime())) {
+    _link.makeOld();
+    _staleExtra = counters.extraFrames;
+    forgetSlots(_finder.events());
+  }
 }
 
 // Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. Asked for more,
@@ -163,22 +179,30 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
   }
 }
 
-// If a frame comes between the two reads of frameTime(), the state belongs to neither: then both are read again.
+// Returns the state of the link, and the age of the newest frame, us. If a frame comes meanwhile, they belong to
+// neither: then all is read again.
 template <typename Format, typename Events>
-sbus::LinkState DecodeSBusOf<Format, Events>::linkState() {
+sbus::LinkState DecodeSBusOf<Format, Events>::state(uint32_t &age) {
   for (;;) {
     const uint32_t time = _finder.frameTime();
     sbus::barrier();
-    const sbus::LinkState state = _link.state(time, micros());
+    age = _link.age(_link.ageOf(time));
+    const sbus::LinkState state = _link.state(age);
     sbus::barrier();
     if (time == _finder.frameTime()) {
       constexpr uint32_t Old = 100000;  // us
-      if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || _link.age() >= Old)) {
+      if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || age >= Old)) {
         take(false);  // if the port's call was lost, the next one comes only after a poll
       }
       return state;
     }
   }
+}
+
+template <typename Format, typename Events>
+sbus::LinkState DecodeSBusOf<Format, Events>::linkState() {
+  uint32_t age;
+  return state(age);
 }
 
 template <typename Format, typename Events>
@@ -188,15 +212,8 @@ bool DecodeSBusOf<Format, Events>::SBusFrameOk() {
 
 template <typename Format, typename Events>
 unsigned long DecodeSBusOf<Format, Events>::frameAge() {
-  for (;;) {
-    const uint32_t time = _finder.frameTime();
-    const sbus::LinkState state = linkState();
-    const uint32_t age = _link.age();
-    sbus::barrier();
-    if (time == _finder.frameTime()) {
-      return state == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
-    }
-  }
+  uint32_t age;
+  return state(age) == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
 }
 
 template <typename Format, typename Events>
@@ -209,14 +226,22 @@ bool DecodeSBusOf<Format, Events>::read(Frame &frame) {
 template <typename Format, typename Events>
 bool DecodeSBusOf<Format, Events>::newest(Frame &frame) {
   const uint32_t before = _decoded;
-  frame.age = frameAge();
-  decodeSBusFrame(frame.channels, frame.failsafe, frame.lostFrame);
+  uint32_t age;
+  const sbus::LinkState now = state(age);
+  frame.age = now == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+  decode(now, frame.channels, frame.failsafe, frame.lostFrame);
   return _decoded != before;
 }
 
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame) {
-  if (!isYoung(linkState()) || channels == nullptr) {
+  decode(linkState(), channels, failsafe, lostFrame);
+}
+
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::decode(sbus::LinkState state, ChannelArray channels, bool &failsafe,
+                                          bool &lostFrame) {
+  if (!isYoung(state) || channels == nullptr) {
     failsafe = true;
     lostFrame = true;
     return;
@@ -249,4 +274,5 @@ void DecodeSBusOf<Format, Events>::decodeSBusFrame(ChannelArray channels, bool &
   template bool DecodeSBusOf<__VA_ARGS__>::SBusFrameOk();                                                            \
   template void DecodeSBusOf<__VA_ARGS__>::decodeSBusFrame(DecodeSBusOf<__VA_ARGS__>::ChannelArray, bool &, bool &); \
   template sbus::LinkState DecodeSBusOf<__VA_ARGS__>::linkState();                                                   \
+  template sbus::LinkState DecodeSBusOf<__VA_ARGS__>::state(uint32_t &);                                             \
   template unsigned long DecodeSBusOf<__VA_ARGS__>::frameAge();

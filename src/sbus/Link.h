@@ -18,7 +18,7 @@ enum class LinkState : uint8_t {
 };
 
 /// Keeps the state of the link. Times are in us and wrap after 71 minutes. The context that reads the port calls
-/// frame() once for each frame; frame() may interrupt state(), seen() and isLost().
+/// frame() once for each frame; frame() may interrupt the other methods: then call them again.
 class Link {
  public:
   /// Starts without a frame.
@@ -46,29 +46,41 @@ class Link {
   /// Returns true if the newest frame says failsafe, or ends too long a run of lost frames; false before the first.
   bool isLost() const { return _state == LinkState::Failsafe; }
 
-  /// Returns the state at `now` if the newest frame came at `time`; NeverSeen before the first. It remembers the age,
+  /// Returns the state at `now` if the newest frame came at `time`; NeverSeen before the first. It remembers old age,
   /// so that a stale frame stays stale when the clock wraps: call it at least once an hour.
-  LinkState state(uint32_t time, uint32_t now) {
-    const uint32_t before = _agedTime == time ? _age : 0;
-    _agedTime = time;
-    _age = now - time >= before ? now - time : UINT32_MAX;
-    return isStale(_age) && seen() ? LinkState::Stale : _state;
+  LinkState state(uint32_t time, uint32_t now) { return state(age(now - time)); }
+
+  /// Returns the state if age() has returned `age`, us; NeverSeen before the first frame.
+  LinkState state(uint32_t age) const { return isStale(age) && seen() ? LinkState::Stale : _state; }
+
+  /// Returns the age of the newest frame, us, if a clock that wraps says `age`: from the wrap on UINT32_MAX, until the
+  /// next frame. Call it at least once an hour. Undefined before the first frame.
+  uint32_t age(uint32_t age) {
+    const uint8_t whole = static_cast<uint8_t>(age >> 24);
+    const uint8_t aged = whole < Wrapped ? whole : Wrapped - 1;
+    if (aged > _aged) {  // written as seldom as can be: frame() may have come since it was read
+      _aged = aged;
+    } else if (aged < _aged) {
+      _aged = Wrapped;
+      return UINT32_MAX;
+    }
+    return age;
   }
+
+  /// Makes the newest frame as old as age() can say, until the next frame.
+  void makeOld() { _aged = Wrapped; }
 
   /// Returns true if a frame of this age, in us, is as old as the timeout.
   bool isStale(uint32_t age) const { return age >= _timeout * 1000UL && _timeout != 0; }
 
-  /// Returns the age of the newest frame, in us, at the last call of state(); UINT32_MAX once the clock has wrapped.
-  /// Undefined before the first frame.
-  uint32_t age() const { return _age; }
-
  private:
-  uint32_t _agedTime;  // time of the frame that state() was called for last
-  uint32_t _age;       // us, the age of that frame at that call
+  static constexpr uint8_t Wrapped = UINT8_MAX;
+
   uint16_t _timeout = DefaultTimeout;
   uint16_t _lossLimit = DefaultLossLimit;
   uint16_t _losses;  // lost frames in a row
   LinkState _state;  // of the newest frame, when it came
+  uint8_t _aged;     // what age() returned last for the newest frame, in units of 16.8 s, 0..254; or Wrapped
 };
 
 }  // namespace sbus

@@ -22,12 +22,17 @@ constexpr uint8_t nextEnd(uint8_t end) {
 }  // namespace
 
 void Telemetry::begin() {
-  memset(_seen, Old, sizeof _seen);
+  forgetAll();
   _count = 0;
   _end = 0;
   _rejected = 0;
   _breaks = 0;
   memset(_joined, 0, sizeof _joined);
+}
+
+void Telemetry::forgetAll() {
+  memset(_seen, Old, sizeof _seen);
+  _changes++;
 }
 
 // The data may change while they are copied: then they are copied again.

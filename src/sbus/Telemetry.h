@@ -38,6 +38,9 @@ class Telemetry {
   /// Returns how often the bytes after a frame that announces a group were not just slots of this group.
   uint32_t rejectedGroups() const { return _rejected; }
 
+  /// Forgets all data: they came before a time that nothing has measured.
+  void forgetAll();
+
   // The events of a FrameFinder.
   void begin();                                         ///< see NoEvents
   void interval(uint32_t us) { _interval = us; }        ///< see NoEvents

@@ -27,7 +27,7 @@ bench: $(OUT)/Bench
 .DELETE_ON_ERROR:
 
 $(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o $(OUT)/Runtime.o \
-  $(OUT)/BoardUart.o $(OUT)/FakeClock.o $(OUT)/Print.o $(M0)/microbit.ld
+  $(OUT)/BoardUart.o $(OUT)/BenchClock.o $(OUT)/Print.o $(M0)/microbit.ld
 	$(CROSS:%g++=%gcc) $(CPU) -nostartfiles -specs=rdimon.specs -T $(M0)/microbit.ld -Wl,--gc-sections $(filter %.o,$^) -lm -o $@
 
 compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
@@ -40,7 +40,7 @@ endef
 $(eval $(call rule,src/%.o,$(SRC)/%.cpp,$(BOARD)))
 $(foreach part,$(MEASURED),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,$(BOARD))))
 $(eval $(call rule,Start.o,$(M0)/Start.cpp,$(BOARD)))
-$(eval $(call rule,FakeClock.o,$(TEST)/support/FakeClock.cpp,$(BOARD)))
+$(eval $(call rule,BenchClock.o,$(HERE)/BenchClock.cpp,$(BOARD)))
 $(eval $(call rule,Print.o,$(HOST)/arduino/Print.cpp,$(BOARD)))
 $(eval $(call rule,Runtime.o,$(M0)/Runtime.cpp,$(PLAIN)))
 $(eval $(call rule,BoardUart.o,$(HOST)/board/BoardUart.cpp,$(PLAIN)))

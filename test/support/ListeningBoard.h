@@ -17,6 +17,7 @@ struct ListeningBoardOf {
   uint64_t heldUpUs = 0;         // how late PendSV's calls are
   bool isHeld = false;           // interrupts are masked
   bool losesEvents = false;      // PendSV's queue is full
+  bool isAsleep = false;         // in STM32L0.sleep(): interrupts still run
   std::function<void()> called;  // after each call
 
   // Lets time pass on a silent line.
@@ -44,7 +45,12 @@ struct ListeningBoardOf {
   void go(uint64_t us, const Work &work) {
     constexpr uint64_t Step = 10;
     for (const uint64_t untilUs = fakeMicros + us; fakeMicros < untilUs;) {
-      fakeMicros += std::min(Step, untilUs - fakeMicros);
+      const uint64_t step = std::min(Step, untilUs - fakeMicros);
+      if (isAsleep) {
+        fakeSleep(step);
+      } else {
+        fakeMicros += step;
+      }
       work();
       callBack();
     }

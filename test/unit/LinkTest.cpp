@@ -184,6 +184,29 @@ TEST_CASE(
   }
 }
 
+// On a core without SleepClock nothing else notices the wrap.
+TEST_CASE("a Link that is asked once an hour saturates when micros() wraps, and stays so until the next frame") {
+  for (const uint64_t asked : {Second, 20 * 60 * Second, Hour}) {
+    sbus::Link link;
+    link.frame(0);
+    for (uint64_t us = asked; us < 8 * MicrosWrap; us += asked) {
+      CAPTURE(us);
+      REQUIRE(link.age(static_cast<uint32_t>(us)) == (us < MicrosWrap ? us : UINT32_MAX));
+      REQUIRE(link.state(5, static_cast<uint32_t>(us + 5)) == (us < 100 * Ms ? LinkState::Ok : LinkState::Stale));
+    }
+    link.frame(0);
+    CHECK(link.age(7) == 7);
+    CHECK(link.state(7) == LinkState::Ok);
+    link.makeOld();
+    CHECK(link.age(7) == UINT32_MAX);
+    link.frame(0);
+    CHECK(link.age(7) == 7);
+    link.makeOld();
+    link.reset();
+    CHECK(link.age(7) == 7);
+  }
+}
+
 TEST_CASE("end() keeps the last frame until it is stale; begin() forgets frames, losses and what was stale") {
   OpenBoard board;
   board.sbus.setLossLimit(2);

@@ -1,0 +1,68 @@
+/// @file
+/// Tells how old a frame is, also on a core whose micros() stands still while the board sleeps.
+///
+/// Not part of the interface: it may change in any release.
+#pragma once
+
+#include <Arduino.h>
+#include <stdint.h>
+
+#if defined(SERIAL_SBUS)
+#include "../sbus/SleepClock.h"
+#endif
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+#if defined(SERIAL_SBUS)
+
+// On an STM32L0 micros() is SysTick, which is slow in STM32L0.sleep() and stops in deepsleep(); millis() is the RTC
+// (cores/arduino/delay.c:32, 41; stm32l0_system.c:872, 1660, 1733).
+class Clock {
+ public:
+  // Starts now.
+  void start() {
+    const uint32_t ms = millis();
+    _sleeps.reset(micros(), ms);
+  }
+
+  // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since the
+  // frame before: hasSlept(). `time` is earlier than micros(), so it is asked for first: 45 cycles a frame less.
+  bool took(uint32_t time) {
+    const uint32_t ms = millis();
+    const bool slept = _sleeps.hasSlept(time, ms) && _sleeps.hasSlept(micros(), ms);
+    _sleeps.frame(time, ms);
+    return slept;
+  }
+
+  // Returns the age, us, of a frame with this frameTime(): the newest, or one that came near it.
+  uint32_t ageOf(uint32_t time) const {
+    const uint32_t ms = millis();
+    return _sleeps.age(time, micros(), ms);
+  }
+
+  // Returns the time, us, as a clock counts that never stands still, in steps of 1 ms or more.
+  static uint32_t now() { return millis() * 1000; }
+
+ private:
+  SleepClock _sleeps;
+};
+
+#else
+
+// On all other cores that receive S.Bus either both clocks run while the board sleeps or neither does
+// (extras/docs/boards.md, "A board that sleeps").
+class Clock {
+ public:
+  void start() {}
+  static constexpr bool took(uint32_t) { return false; }
+  static uint32_t ageOf(uint32_t time) { return micros() - time; }
+  static uint32_t now() { return micros(); }
+};
+
+#endif
+
+/// @endcond
+
+}  // namespace sbus
