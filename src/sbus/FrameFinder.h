@@ -155,6 +155,9 @@ class FrameFinderOf : private Events {
   void startOver(int offBy);
   void startPoll(unsigned found);
   void gapBefore(Silence gap);
+  int gapWithin(int filled, unsigned found, unsigned unread, uint32_t handedOver, uint32_t lastPoll, uint32_t lastBytes,
+                bool isWhole);
+  bool isDue() const { return _aligned && _expectedAt == 0; }
   void checkFound();
   void lost(uint32_t &counter);
   const uint8_t *settle(Silence gap);
@@ -188,6 +191,7 @@ class FrameFinderOf : private Events {
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
+  uint32_t _takenBy;  // us: time of the poll that brought the last frame
   uint32_t _extraTime;
   Counters _counters;
   uint8_t _extra[Format::HasExtra ? FrameSize : 1];
@@ -221,40 +225,23 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
 }
 
 // The port tells when the line was idle, but not where half of its ring ends. There only the time can show a gap, and
-// other work may have delayed the call. So such a gap is certain only after a frame's number of characters, and there is
-// none within 25 characters between two idle times, unless it is as long as between two parts of two frames.
+// other work may have delayed the call. So such a gap is certain only after a frame's number of characters, and is not
+// looked for between two idle times where a frame is due in time: parts of two frames are a frame period apart.
 template <typename Format, typename Events>
 SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
   startPoll(found);
   const unsigned unread = _unread;
+  const uint32_t lastPoll = _timing.lastPoll(), lastBytes = _timing.lastBytes();
   _unread = 0;
-  const uint32_t lastPoll = _timing.lastPoll();
-  const uint32_t handedOver = isPrompt ? now : lastPoll;
-  uint32_t before, within = 0;
-  if (unread != 0) {
-    within = _timing.silence(found - unread, handedOver, lastPoll);
-    before = _timing.silence(unread, lastPoll, _timing.lastBytes());
-  } else {
-    before = _timing.silence(found, handedOver, _timing.lastBytes());
-  }
   _timing.taken(now);
   const int filled = _buffer.filled();
-  const bool isDue = _aligned && _expectedAt == 0;
-  uint32_t bearable = _timing.shortestGap();
-  if (isIdle && filled + static_cast<int>(found) == Format::Size && (_buffer.gapAt() == 0 || isDue)) {
-    bearable = LineTiming::bearable(isDue ? _counters.period : 0);
+  const int all = filled + static_cast<int>(found);
+  const bool isWhole = all == Format::Size && isIdle;
+  if (isDue() && (isWhole || all < Format::Size) && now - _takenBy < _counters.period + LineTiming::LongestStop) {
+    _acquisition.characters(found);
+    return 0;
   }
-  if (before >= LineTiming::LongSilence) {
-    startOver(rules::FirstOffBy);
-  } else if (before > _timing.shortestGap()) {
-    if (_buffer.gapAt() == filled || _acquisition.isFrame() || (filled == Format::Size && (isDue || _buffer.beginsWide()))) {
-      gapBefore(before > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
-    } else if (before > bearable) {
-      likelyGap();
-    }
-  }
-  _acquisition.characters(found);
-  return within > bearable ? static_cast<int>(unread) : 0;
+  return gapWithin(filled, found, unread, isPrompt ? now : lastPoll, lastPoll, lastBytes, isWhole);
 }
 
 /// Finds frames of 16 channels, which nearly all receivers send.

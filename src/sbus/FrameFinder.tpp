@@ -99,6 +99,32 @@ void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
   }
 }
 
+// Takes the gaps that the times show before `found` bytes, and after `unread` of them: see pollIdling(). `handedOver`: when
+// the port handed over the last of them, at the latest; the `unread` ones at `lastPoll`, those before them at `lastBytes`.
+template <typename Format, typename Events>
+int FrameFinderOf<Format, Events>::gapWithin(int filled, unsigned found, unsigned unread, uint32_t handedOver,
+                                             uint32_t lastPoll, uint32_t lastBytes, bool isWhole) {
+  uint32_t before, within = 0;
+  if (unread != 0) {
+    within = _timing.silence(found - unread, handedOver, lastPoll);
+    before = _timing.silence(unread, lastPoll, lastBytes);
+  } else {
+    before = _timing.silence(found, handedOver, lastBytes);
+  }
+  const uint32_t bearable = isWhole && (_buffer.gapAt() == 0 || isDue()) ? LineTiming::LongestStop : _timing.shortestGap();
+  if (before >= LineTiming::LongSilence) {
+    startOver(rules::FirstOffBy);
+  } else if (before > _timing.shortestGap()) {
+    if (_buffer.gapAt() == filled || _acquisition.isFrame() || (filled == Size && (isDue() || _buffer.beginsWide()))) {
+      gapBefore(before > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
+    } else if (before > bearable) {
+      likelyGap();
+    }
+  }
+  _acquisition.characters(found);
+  return within > bearable ? static_cast<int>(unread) : 0;
+}
+
 // Takes a silence after the last byte. Returns the frame that waited for it, or nullptr.
 template <typename Format, typename Events>
 const uint8_t *FrameFinderOf<Format, Events>::settle(Silence gap) {
@@ -112,9 +138,8 @@ const uint8_t *FrameFinderOf<Format, Events>::settle(Silence gap) {
 
 template <typename Format, typename Events>
 const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
-  const bool isInSync = _aligned && _expectedAt == 0;
   const bool isFrame =
-      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isInSync) || scan(waiting);
+      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) || scan(waiting);
   noteEnd(waiting);
   return isFrame ? deliver() : nullptr;
 }
@@ -263,6 +288,7 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   const uint32_t interval = _completeAfter - _frameTime;
   _counters.count(Format::flags(frame), interval);
   _frameTime = _completeAfter;
+  _takenBy = _timing.lastPoll();
   Events::interval(interval);
   Events::taken(frame);
   return frame;
@@ -293,6 +319,7 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                          \
   template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                  \
   template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                      \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence);                \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence); \
+  template int sbus::FrameFinderOf<__VA_ARGS__>::gapWithin(int, unsigned, unsigned, uint32_t, uint32_t, uint32_t, bool);                \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle(sbus::Silence);         \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

@@ -95,13 +95,6 @@ class LineTiming {
   /// Returns the longest silence(), in us, that is no gap.
   uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }
 
-  /// Returns for how long a frame may seem to be interrupted, in us, where parts of two frames are `period` apart; 0: it is
-  /// not known.
-  static uint32_t bearable(uint32_t period) {
-    constexpr uint32_t Together = 2500;  // us: of 16 characters, silence() takes this much too much
-    return static_cast<int32_t>(period) > static_cast<int32_t>(LongestStop + Together) ? period - Together : LongestStop;
-  }
-
   static constexpr unsigned LongSilence = 50000;  ///< us: longer than any frame period
   static constexpr unsigned LongestStop = 1500;   ///< us: no sender is silent for longer within a frame
 
