@@ -13,6 +13,7 @@
 #include "line/recording/RecordedLine.h"
 #include "line/recording/Recording.h"
 #include "line/recording/RestoredLine.h"
+#include "sbus/ExtraFrame.h"
 #include "support/AdapterProgram.h"
 #include "support/Bytes.h"
 
