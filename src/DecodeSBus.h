@@ -43,8 +43,8 @@ struct ClockedLink : Link, Clock {};
 ///
 /// The paper's sketch calls parseSBusFrame() and decodeSBusFrame() instead.
 ///
-/// DecodeSBus24 decodes FrSky's 24 channels, DecodeSBus32 also Futaba's CH17..CH32. Call all methods from setup(), loop() or serialEventN(). (A Grasshopper's
-/// core does not call serialEventN(), because no bytes wait there.)
+/// DecodeSBus24 decodes FrSky's 24 channels, DecodeSBus32 also Futaba's CH17..CH32. Call all methods from setup(),
+/// loop() or serialEventN(). (A Grasshopper's core does not call serialEventN(), because no bytes wait there.)
 ///
 /// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): the sketch need not call a
 /// method in time, but the object must live until end(). DecodeSBusBackground does the same on other boards:
@@ -207,8 +207,9 @@ class DecodeSBus32 : public DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame> {
  public:
   using DecodeSBusOf::DecodeSBusOf;  ///< see DecodeSBusOf()
 
-  /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: they come in separate frames. Returns true if such a frame came within the timeout; otherwise `channels` is unchanged. The flags and
-  /// switches are those of decodeSBusFrame(). Call it at least once an hour.
+  /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: they come in separate frames. Returns true if such
+  /// a frame came within the timeout; otherwise `channels` is unchanged. The flags and switches are those of
+  /// decodeSBusFrame(). Call it at least once an hour.
   bool decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels);
 };
 

@@ -57,7 +57,8 @@ struct NoEvents {
 /// After a rejection the search goes on from the second character. FrameRules.h has the rules, and
 /// extras/docs/receiver.md says what each is worth.
 ///
-/// `Format` is Frame16, Frame16Extra with 2F frames between, or Frame24 with 36 bytes. `Events` learns what becomes of each byte.
+/// `Format` is Frame16, Frame16Extra with 2F frames between, or Frame24 with 36 bytes. `Events` learns what becomes of
+/// each byte.
 ///
 /// Call all methods from the context that reads the port. Only frame() and the methods below it may also be called from
 /// a context that received() interrupts (extras/docs/interrupts.md).
