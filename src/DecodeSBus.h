@@ -10,6 +10,7 @@
 #include "port/Clock.h"
 #include "port/Listener.h"
 #include "sbus/Barrier.h"
+#include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
 #include "sbus/FrameValue.h"
 #include "sbus/Link.h"
@@ -42,8 +43,8 @@ struct ClockedLink : Link, Clock {};
 ///
 /// The paper's sketch calls parseSBusFrame() and decodeSBusFrame() instead.
 ///
-/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN(). (A Grasshopper's
-/// core does not call serialEventN(), because no bytes wait there.)
+/// DecodeSBus24 decodes FrSky's 24 channels, DecodeSBus32 also Futaba's CH17..CH32. Call all methods from setup(),
+/// loop() or serialEventN(). (A Grasshopper's core does not call serialEventN(), because no bytes wait there.)
 ///
 /// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): the sketch need not call a
 /// method in time, but the object must live until end(). DecodeSBusBackground does the same on other boards:
@@ -186,8 +187,7 @@ class DecodeSBusOf {
   sbus::FrameFinderOf<Format, Events> _finder;
   sbus::ListeningPort _port;
   sbus::ClockedLink _link;
-  uint32_t _decoded = 0;     // number of the frame that was decoded last
-  uint32_t _staleExtra = 0;  // number of the frame with extra channels that was found stale
+  uint32_t _decoded = 0;  // number of the frame that was decoded last
 
   /// @endcond
 
@@ -198,15 +198,18 @@ class DecodeSBusOf {
   static uint32_t clock() { return sbus::Clock::now(); }
 };
 
-/// Decodes sixteen channels and two switches, which nearly all receivers send, and the extra channels of Futaba's
-/// FASSTest 26.
-class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
+/// Decodes sixteen channels and two switches, which nearly all receivers send. On a line of Futaba's FASSTest 26 it
+/// discards the frames with CH17..CH32: use DecodeSBus32.
+using DecodeSBus = DecodeSBusOf<sbus::Frame16>;
+
+/// Decodes like DecodeSBus, and also the extra channels of Futaba's FASSTest 26, CH17..CH32.
+class DecodeSBus32 : public DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame> {
  public:
   using DecodeSBusOf::DecodeSBusOf;  ///< see DecodeSBusOf()
 
-  /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: Futaba's FASSTest 26 sends them in separate
-  /// frames. Returns true if such a frame came within the timeout; otherwise `channels` is unchanged. The flags and
-  /// switches are those of decodeSBusFrame(). Call it at least once an hour.
+  /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: they come in separate frames. Returns true if such
+  /// a frame came within the timeout; otherwise `channels` is unchanged. The flags and switches are those of
+  /// decodeSBusFrame(). Call it at least once an hour.
   bool decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels);
 };
 

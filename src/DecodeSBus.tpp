@@ -9,7 +9,7 @@ inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
 
-// Forgets the slots that came before the board slept: their ages count frames.
+// Forgets the slots, whose ages count frames, and the extra channels that came before the board slept.
 template <typename Events>
 inline void forgetSlots(Events &events) {
   events.forgetAll();
@@ -44,7 +44,6 @@ inline void DecodeSBusOf<Format, Events>::reset(unsigned long baud) {
   _link.reset();
   _link.start();
   _decoded = 0;
-  _staleExtra = 0;
 }
 
 // Lets the port call `method`. The first poll comes at once: a port that has bytes does not call before they are read.
@@ -106,7 +105,6 @@ inline void DecodeSBusOf<Format, Events>::judge(const uint8_t *frame) {
   _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
   if (_link.took(_finder.frameTime())) {
     _link.makeOld();
-    _staleExtra = counters.extraFrames;
     forgetSlots(_finder.events());
   }
 }

@@ -39,7 +39,7 @@ using DecodeSBusBackgroundOf = Decoder;
 /// A function that takes a DecodeSBus does not take it, because that function would open the port without the timer.
 /// Make such a function a template: `template <typename Decoder> void open(Decoder &dSBus) { dSBus.begin(); }`.
 ///
-/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBusTelemetry.
+/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBus32, DecodeSBusNoPulses or DecodeSBusTelemetry.
 template <typename Decoder>
 class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
   using Held = sbus::HeldOf<Decoder, sbus::Ticked>;

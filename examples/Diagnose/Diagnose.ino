@@ -12,7 +12,7 @@
 #include <SBusUart.h>
 #include <sbus/Diagnosis.h>
 
-DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
+DecodeSBus32 dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 auto &input = sbus::portOf(SBUS_UART);
 
 struct Setting {

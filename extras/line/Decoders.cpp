@@ -4,7 +4,7 @@
 
 #include "sbus/FrameFinder.tpp"
 
-SBUS_COMPILE_FINDER(sbus::Frame16, line::PlacesOf<sbus::Frame16>)
+SBUS_COMPILE_FINDER(sbus::Frame16Extra, line::PlacesOf<sbus::Frame16Extra>)
 SBUS_COMPILE_FINDER(sbus::Frame24, line::PlacesOf<sbus::Frame24>)
 
 namespace line {

@@ -19,7 +19,7 @@ class Places : public sbus::NoEvents {
   // Returns the place of the first byte that may still belong to a frame, or `end`.
   uint64_t openAt(uint64_t end) const { return _open.empty() ? end : _open.front(); }
 
-  void extra() { found(Stretch::Kind::Extra, sbus::FrameSize, 0); }
+  void extra(const uint8_t *, uint32_t) { found(Stretch::Kind::Extra, sbus::FrameSize, 0); }
   void discarded(const uint8_t *, int count) { _open.erase(_open.begin(), _open.begin() + count); }
   void rejected(int at, sbus::Rejection why);
   bool seesEachGap() const { return !isBursty; }
@@ -46,7 +46,8 @@ class Places : public sbus::NoEvents {
 template <typename Format>
 struct PlacesOf : Places {
   void taken(const uint8_t *frame) {
-    found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size, Format::flags(frame));
+    found(Format::Size == sbus::FrameSize ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size,
+          Format::flags(frame));
   }
 };
 
@@ -87,7 +88,7 @@ class Decoders {
   const std::vector<Piece> &forBoth(Call call);
   const std::vector<Piece> &decide(bool isOver);
 
-  Finder<sbus::Frame16> _finder16;
+  Finder<sbus::Frame16Extra> _finder16;
   Finder<sbus::Frame24> _finder24;
   uint64_t _nowUs;   // the decoders' newest time
   uint64_t _byteUs;  // of the last byte

@@ -42,7 +42,7 @@ class HeldOf : protected Decoder, protected Holder {
     const Hold hold(*this);
     Decoder::decodeSBusFrame(channels, failsafe, lostFrame);
   }
-  /// See DecodeSBus.
+  /// See DecodeSBus32.
   bool decodeExtraChannels(sbus::ChannelArray<uint16_t, ProportionalCount> channels) {
     const Hold hold(*this);
     return Decoder::decodeExtraChannels(channels);

@@ -120,11 +120,6 @@ bool Answers::isEchoWrong(bool isWrong) {
   return isWrong || (_hasEcho && back != _out);
 }
 
-void Answers::extra() {
-  _isFrameEnd = false;
-  Telemetry::extra();
-}
-
 void Answers::lost() {
   _isFrameEnd = false;
   Telemetry::lost();

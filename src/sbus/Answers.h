@@ -78,7 +78,6 @@ class Answers : public Telemetry {
   // The events of a FrameFinder.
   void begin();                                        ///< see NoEvents
   void taken(const uint8_t *frame);                    ///< see NoEvents
-  void extra();                                        ///< see NoEvents
   void lost();                                         ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);     ///< see NoEvents
   static constexpr bool wantsTimes() { return true; }  ///< see NoEvents

@@ -143,7 +143,8 @@ struct Frame16 {
   static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
   static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
-  static constexpr bool HasExtra = true;               ///< frames with extra channels may come in between
+  static constexpr bool HasSlots = true;               ///< telemetry slots may follow: S.BUS2
+  static constexpr bool HasExtra = false;              ///< frames with extra channels are accepted
   static constexpr bool Withholds = false;             ///< unpack() leaves the channels of some lost frames alone
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
@@ -165,6 +166,7 @@ struct Frame24 {
   static constexpr uint8_t Channels = ChannelCount24;  ///< values that unpack() writes
   static constexpr uint8_t Variants = 1;               ///< end byte 00 only
   static constexpr uint8_t OtherSize = FrameSize;      ///< bytes of a frame of the other format
+  static constexpr bool HasSlots = false;              ///< no telemetry
   static constexpr bool HasExtra = false;              ///< no extra channels
   static constexpr bool Withholds = false;             ///< see Frame16
   static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
@@ -178,6 +180,11 @@ struct Frame24 {
   static void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
     pack24(frame, channels, failsafe, lostFrame);
   }
+};
+
+/// Frame16, with frames of extra channels (header 2F) between. For Frame16 these are bytes between two frames.
+struct Frame16Extra : Frame16 {
+  static constexpr bool HasExtra = true;  ///< see Frame16
 };
 
 /// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and does not always set a flag:

@@ -20,7 +20,8 @@ struct NoEvents {
   void begin() {}                          ///< reset() was called: all is forgotten
   void interval(uint32_t) {}               ///< the next frame came this many us after the previous one; see Counters
   void taken(const uint8_t *) {}           ///< the next bytes are this frame
-  void extra() {}                          ///< the next 25 bytes are a frame with header 2F
+  /// The next 25 bytes are this frame with header 2F, which was not yet complete at this time, us.
+  void extra(const uint8_t *, uint32_t) {}
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
   void lost() {}                           ///< bytes are missing before the next one
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
@@ -56,7 +57,8 @@ struct NoEvents {
 /// After a rejection the search goes on from the second character. FrameRules.h has the rules, and
 /// extras/docs/receiver.md says what each is worth.
 ///
-/// `Format` is Frame16, or Frame24 with 36 bytes. `Events` learns what becomes of each byte.
+/// `Format` is Frame16, Frame16Extra with 2F frames between, or Frame24 with 36 bytes. `Events` learns what becomes of
+/// each byte.
 ///
 /// Call all methods from the context that reads the port. Only frame() and the methods below it may also be called from
 /// a context that received() interrupts (extras/docs/interrupts.md).
@@ -133,13 +135,6 @@ class FrameFinderOf : private Events {
   /// age is negative.
   uint32_t frameTime() const { return _frameTime; }
 
-  /// Returns the last complete frame with header 2F, 25 bytes; undefined while counters().extraFrames is 0. Use the
-  /// bytes you read only if that counter has not changed meanwhile.
-  const uint8_t *extra() const { return _extra; }
-
-  /// Returns the frameTime() of extra().
-  uint32_t extraTime() const { return _extraTime; }
-
   /// Returns the time of the poll before the newest poll(), us: the bytes that the newest poll found had not come then.
   uint32_t pollBefore() const { return _timing.pollBefore(); }
 
@@ -192,9 +187,7 @@ class FrameFinderOf : private Events {
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
   uint32_t _takenBy;  // us: time of the poll that brought the last frame
-  uint32_t _extraTime;
   Counters _counters;
-  uint8_t _extra[Format::HasExtra ? FrameSize : 1];
 };
 
 template <typename Format, typename Events>

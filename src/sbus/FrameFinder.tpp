@@ -1,8 +1,6 @@
 // The methods of FrameFinderOf, for the files that compile one format each: in one file the compiler would inline less.
 // They stand in the order of calls. Read poll(), idle() and received() first: they are in FrameFinder.h, since sketches
 // inline them.
-#include <string.h>
-
 #include "FrameFinder.h"
 #include "Slots.h"
 
@@ -231,10 +229,8 @@ inline bool FrameFinderOf<Format, Events>::find() {
 template <typename Format, typename Events>
 inline void FrameFinderOf<Format, Events>::takeExtra(int waiting) {
   noteEnd(waiting);
-  memcpy(_extra, _buffer.bytes(), FrameSize);
-  _extraTime = _completeAfter;
   countUp(_counters.extraFrames);
-  Events::extra();
+  Events::extra(_buffer.bytes(), _completeAfter);
   _expectedAt = 0;
   _buffer.drop(FrameSize);
 }

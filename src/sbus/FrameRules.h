@@ -168,7 +168,7 @@ SBUS_IN_LINE bool isBreak(uint8_t byte) {
 /// Returns true if its end byte may be a break: it may be an S.BUS2 frame that has lost a character.
 template <typename Format>
 SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
-  return Format::HasExtra && hasBreaks && variant != SlotsVariant;
+  return Format::HasSlots && hasBreaks && variant != SlotsVariant;
 }
 
 // ---- For unseen gaps, as when a port is polled too seldom: where each gap is seen, these rules and isInTurn() change
@@ -177,7 +177,7 @@ SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
 /// Returns true if telemetry slots may follow the frames of this variant.
 template <typename Format>
 SBUS_IN_LINE bool hasSlots(uint8_t variant) {
-  return Format::HasExtra && variant == SlotsVariant;
+  return Format::HasSlots && variant == SlotsVariant;
 }
 
 /// Returns true if a slot follows it, perhaps after a break. Acquisition::isInTurn() says when that proves the first

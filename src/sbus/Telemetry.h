@@ -45,7 +45,7 @@ class Telemetry {
   void begin();                                         ///< see NoEvents
   void interval(uint32_t us) { _interval = us; }        ///< see NoEvents
   void taken(const uint8_t *frame);                     ///< see NoEvents
-  void extra() { lost(); }                              ///< see NoEvents
+  void extra(const uint8_t *, uint32_t) {}              ///< see NoEvents; Frame16 has none
   void lost() { _count = Lost; }                        ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
   void rejected(int, Rejection) {}                      ///< see NoEvents

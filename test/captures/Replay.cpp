@@ -1,4 +1,4 @@
-// Replays recordings of real receivers through DecodeSBus on the board's driver, and says "ok ..." or "FAILED ...".
+// Replays recordings of real receivers through DecodeSBus32 on the board's driver, and says "ok ..." or "FAILED ...".
 // Those of 24 channels go through DecodeSBus24.
 //
 //   Replay FOLDER
@@ -72,11 +72,11 @@ int endOf(const line::Characters &characters, size_t &from, const std::vector<ui
 }
 
 // Returns what is wrong, or nothing.
-template <typename Format>
+template <typename Decoder, typename Format>
 std::string replay(const line::Characters &characters, uint32_t loopUs, const Expected *expected) {
   const uint64_t start = fakeMicros + 1000;
   UartPort port;
-  DecodeSBusOf<Format> dSBus(port);
+  Decoder dSBus(port);
   dSBus.begin();
   std::string wrong;
   EndBytes ends;
@@ -105,8 +105,8 @@ std::string replay(const line::Characters &characters, uint32_t loopUs, const Ex
     }
   }
   const sbus::Counters counters = dSBus.counters();
-  if (Format::HasExtra && counters.frames == 0 && counters.otherSizeFrames != 0) {
-    return replay<sbus::Frame24>(characters, loopUs, expected);
+  if (Format::Size == sbus::FrameSize && counters.frames == 0 && counters.otherSizeFrames != 0) {
+    return replay<DecodeSBus24, sbus::Frame24>(characters, loopUs, expected);
   }
   std::printf(
       "%u frames of %u channels, %u with header 2F, rejected by end %u, by flags %u, by extra %u, bytes discarded %u, "
@@ -151,7 +151,7 @@ int main(int argc, char **argv) {
     for (const uint32_t loopUs : {50u, 3000u}) {
       std::printf("%s, loop() of %u us: ", name.c_str(), loopUs);
       const std::string wrong =
-          replay<sbus::Frame16>(recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
+          replay<DecodeSBus32, sbus::Frame16Extra>(recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
       std::printf("%s captures/%s, loop() of %u us%s%s\n", wrong.empty() ? "ok" : "FAILED", name.c_str(), loopUs,
                   wrong.empty() ? (known == Known.end() ? ", of which nothing is known" : "") : ": ", wrong.c_str());
       failed = failed || !wrong.empty();

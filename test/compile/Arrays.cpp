@@ -11,6 +11,7 @@
 // 10 SBusFrame24
 // 11 DecodeSBusTelemetryOf<.* is an inaccessible base of .*SBus2Sensor
 // 12 DecodeSBusOf<.* is an inaccessible base of .*SBus2Sensor
+// 13 no member named .*decodeExtraChannels
 #include <EncodeSBus.h>
 #include <SBus2Sensor.h>
 #include <sbus/Calibrator.h>
@@ -18,6 +19,7 @@
 
 DecodeSBus dSBus(Serial1);
 DecodeSBus24 dSBus24(Serial1);
+DecodeSBus32 dSBus32(Serial1);
 DecodeSBusTelemetry telemetry(Serial1);
 SBus2Sensor sensor(Serial1);
 sbus::LinkQuality quality;
@@ -54,7 +56,8 @@ void arguments() {
   dSBus.decodeSBusFrame(elsewhere, failsafe, lostFrame);
   dSBus.decodeSBusFrame(pointer, failsafe, lostFrame);
   dSBus.decodeSBusFrame(frame.channels, failsafe, lostFrame);
-  dSBus.decodeExtraChannels(sixteen);
+  dSBus32.decodeSBusFrame(eighteen, failsafe, lostFrame);
+  dSBus32.decodeExtraChannels(sixteen);
   telemetry.decodeSBusFrame(twentyFour, failsafe, lostFrame);
   dSBus24.decodeSBusFrame(frame24.channels, failsafe, lostFrame);
   eSBus.write(constant, failsafe, lostFrame);
@@ -64,6 +67,7 @@ void arguments() {
   sbus::unpack(bytes, eighteen);
   openTelemetry(telemetry);
   open(dSBus);
+  open(dSBus32);
   open(telemetry);
   quality.update(sensor);
   sensor.read(frame);
@@ -73,7 +77,7 @@ void arguments() {
 #elif CASE == 2
   dSBus24.decodeSBusFrame(eighteen, failsafe, lostFrame);
 #elif CASE == 3
-  dSBus.decodeExtraChannels(eight);
+  dSBus32.decodeExtraChannels(eight);
 #elif CASE == 4
   eSBus.write(sixteen, failsafe, lostFrame);
 #elif CASE == 5
@@ -92,5 +96,7 @@ void arguments() {
   openTelemetry(sensor);
 #elif CASE == 12
   open(sensor);
+#elif CASE == 13
+  dSBus.decodeExtraChannels(sixteen);
 #endif
 }

@@ -12,13 +12,14 @@
 #include <vector>
 
 #include "fuzz/Require.h"
+#include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 
 namespace {
 
-template <typename Format>
+template <typename Format, typename Events>
 class Sketch {
  public:
   // `byEvents`: it polls only when bytes wait.
@@ -112,7 +113,7 @@ class Sketch {
   static constexpr uint32_t Size = Format::Size;
 
   const bool _byEvents;
-  sbus::FrameFinderOf<Format> _finder;
+  sbus::FrameFinderOf<Format, Events> _finder;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
   uint32_t _call = 0, _callBefore = 0;
   std::vector<uint8_t> _waiting;
@@ -125,9 +126,9 @@ class Sketch {
   uint32_t _roomAtStart = 0;
 };
 
-template <typename Format>
+template <typename Format, typename Events = sbus::NoEvents>
 void run(const uint8_t *data, size_t size, bool byEvents) {
-  Sketch<Format> sketch(byEvents);
+  Sketch<Format, Events> sketch(byEvents);
   for (size_t at = 0; at < size; at++) {
     const uint8_t operation = data[at];
     if (operation < 0x80) {
@@ -165,6 +166,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   for (const bool byEvents : {false, true}) {
     run<sbus::Frame16>(data, size, byEvents);
+    run<sbus::Frame16Extra, sbus::ExtraFrame>(data, size, byEvents);
     run<sbus::Frame24>(data, size, byEvents);
   }
   return 0;

@@ -13,6 +13,7 @@
 #include "line/recording/RecordedLine.h"
 #include "line/recording/Recording.h"
 #include "line/recording/RestoredLine.h"
+#include "sbus/ExtraFrame.h"
 #include "support/AdapterProgram.h"
 #include "support/Bytes.h"
 
@@ -141,7 +142,7 @@ Count runs(const Row &row, uint32_t latencyUs, uint32_t stallUs, unsigned seeds)
 // Returns the frames found by a sketch that polls a board's port each millisecond.
 unsigned long framesOfSketch(const line::Recording &recording) {
   line::RestoredLine line(std::make_unique<line::RecordedLine>(recording), line::CharacterUs);
-  sbus::FrameFinder finder;
+  sbus::FrameFinderOf<sbus::Frame16Extra, sbus::ExtraFrame> finder;
   line.opened(0);
   for (uint64_t us = 0; !line.finished(us); us += 1000) {
     Bytes bytes;

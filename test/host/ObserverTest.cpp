@@ -239,7 +239,7 @@ TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a c
       REQUIRE(stretch.at == at);
       at += stretch.characters.size();
       for (const line::Rejected &header : stretch.rejected) {
-        REQUIRE(sbus::isHeaderByte<sbus::Frame16>(stretch.characters.at(header.at).value));
+        REQUIRE(sbus::isHeaderByte<sbus::Frame16Extra>(stretch.characters.at(header.at).value));
         REQUIRE_FALSE(stretch.characters[header.at].bad);
         rejected++;
       }

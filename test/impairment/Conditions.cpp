@@ -138,10 +138,13 @@ const std::vector<Condition> &impairedLines() {
       {"clean, spread over 4 ms", spread(),
        everyDriver({7000, 9000, 11000, 14000, 15000}, {50, 300, 1000, 2000, 3000, 5000}), NeverWrong},
       {"clean, R7003SB", of(Kind::R7003SB), LongTail, NeverWrong},
-      {"clean, odd 2F frames between", of(Kind::Odd2F), Odd2F, Faultless},
-      {"clean, 2F frames", of(Kind::With2F), With2F, NeverWrong},
-      {"2F frames, dropped 1/300", dropped(1 / 300., Kind::With2F), With2F},
-      {"2F frames, bursts 1/500", with(&Impairments::burst, 1 / 500., Kind::With2F), With2F},
+      {"clean, odd 2F frames between", by32(of(Kind::Odd2F)), Odd2F, Faultless},
+      {"clean, 2F frames", by32(of(Kind::With2F)), With2F, NeverWrong},
+      {"2F frames, dropped 1/300", by32(dropped(1 / 300., Kind::With2F)), With2F},
+      {"2F frames, bursts 1/500", by32(with(&Impairments::burst, 1 / 500., Kind::With2F)), With2F},
+      {"clean, odd 2F frames between, by DecodeSBus", of(Kind::Odd2F), Odd2F, NeverWrong},
+      {"clean, 2F frames, by DecodeSBus", of(Kind::With2F), With2F, NeverWrong},
+      {"2F frames, dropped 1/300, by DecodeSBus", dropped(1 / 300., Kind::With2F), With2F},
       {"dropped 1/500", dropped(1 / 500.), Seen},
       {"dropped 1/500, short gaps", dropped(1 / 500.), Hidden},
       {"dropped 1/300", dropped(1 / 300.), Seen},
@@ -249,7 +252,7 @@ Tally impairment(const Condition &condition, const std::vector<Setup> &setups, c
       run.setup = setups[random.below(static_cast<uint32_t>(setups.size()))];
       run.line.periodUs = run.setup.periodUs;
       run.line.sticks = which;
-      run.joinUs = random.below((run.reads24 ? sbus::FrameSize24 : sbus::FrameSize) * run.line.characterUs());
+      run.joinUs = random.below((run.reads == Reads::Channels24 ? sbus::FrameSize24 : sbus::FrameSize) * run.line.characterUs());
       if (condition.vary != nullptr) {
         condition.vary(run, random);
       }

@@ -46,7 +46,10 @@ class OursOf {
   Decoder _sbus;
 };
 
-class Ours : public OursOf<DecodeSBus, sbus::Frame16, 0x0F> {
+using Ours = OursOf<DecodeSBus, sbus::Frame16, 0x0F>;
+using Ours24 = OursOf<DecodeSBus24, sbus::Frame24, 0x0C>;
+
+class Ours32 : public OursOf<DecodeSBus32, sbus::Frame16Extra, 0x0F> {
  public:
   using OursOf::OursOf;
   bool newExtra(LongFrame &frame) {
@@ -63,8 +66,6 @@ class Ours : public OursOf<DecodeSBus, sbus::Frame16, 0x0F> {
  private:
   uint32_t _extras = 0;
 };
-
-using Ours24 = OursOf<DecodeSBus24, sbus::Frame24, 0x0C>;
 
 class Papers {
  public:

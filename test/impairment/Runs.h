@@ -95,7 +95,11 @@ inline void unplugged(Run &run, Random &random) {
   run.line.frames = cut.toFrame + 1 + FramesAfter;
 }
 inline Run by24(Run run) {
-  run.reads24 = true;
+  run.reads = Reads::Channels24;
+  return run;
+}
+inline Run by32(Run run) {
+  run.reads = Reads::Channels32;
   return run;
 }
 inline Run long24(Run run) {

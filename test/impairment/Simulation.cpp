@@ -32,7 +32,7 @@ class Simulation {
       passSilence();
     } while (_nextUs != UINT64_MAX || !isSilent());
     Tally tally = _judge.finish();
-    if constexpr (std::is_same<Receiver, Ours>::value) {
+    if constexpr (std::is_same<Receiver, Ours32>::value) {
       Tally extra = _extraJudge.finish();
       extra.late = 0;
       tally += extra;
@@ -294,5 +294,7 @@ Tally simulate(const Run &run, Decoder decoder, uint64_t seed) {
     }
     return Simulation<Papers>(papers, seed).run();
   }
-  return run.reads24 ? Simulation<Ours24>(run, seed).run() : Simulation<Ours>(run, seed).run();
+  return run.reads == Reads::Channels24   ? Simulation<Ours24>(run, seed).run()
+         : run.reads == Reads::Channels32 ? Simulation<Ours32>(run, seed).run()
+                                          : Simulation<Ours>(run, seed).run();
 }

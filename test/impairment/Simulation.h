@@ -7,10 +7,12 @@
 #include "Judge.h"
 #include "Setup.h"
 
+enum class Reads { Channels16, Channels24, Channels32 };  // ours is a DecodeSBus, DecodeSBus24 or DecodeSBus32
+
 struct Run {
   Transmission line{};  // its period is the setup's
   Setup setup{};
-  bool reads24 = false;      // ours is class DecodeSBus24, otherwise DecodeSBus
+  Reads reads = Reads::Channels16;
   bool inStep = false;       // each loop takes exactly its period; otherwise its period +-10 %
   uint32_t blockFromUs = 0;  // a blocked loop takes from this
   uint32_t blockToUs = 0;    // to this time
@@ -29,6 +31,6 @@ enum class Decoder { Ours, Papers };
 // Runs the decoder. In a silence it makes only the first call and the last before the next character: a receiver learns
 // nothing from those in between. The baseline is polled by events.
 //
-// On a line with Futaba's extra channels (Kind::With2F) the tally counts frames with both headers; late are only those
-// with header 0F, since the others wait for what follows them.
+// With a DecodeSBus32 the tally counts frames with both headers; late are only those with header 0F, since the others
+// wait for what follows them.
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed);

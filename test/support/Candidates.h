@@ -18,7 +18,8 @@ struct Case {
   bool hasLineVariant = true;
   bool isGapCertain = true;
 
-  sbus::Candidate<sbus::Frame16> candidate() const {
+  template <typename Format = sbus::Frame16>
+  sbus::Candidate<Format> candidate() const {
     const sbus::Silence gap = isGapCertain ? sbus::Silence::Gap : sbus::Silence::Likely;
     const bool isInside = gapAt > 0 && gapAt < sbus::FrameSize;
     return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, isInside ? gap : sbus::Silence::Unknown, false,
@@ -31,8 +32,9 @@ inline const Bytes Plain = bytesOf(plainFrame(1));
 inline const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at 23
 
 // Returns a line of which nothing has been seen yet.
-inline sbus::Acquisition<sbus::Frame16> noneSeen() {
-  sbus::Acquisition<sbus::Frame16> acquisition;
+template <typename Format = sbus::Frame16>
+sbus::Acquisition<Format> noneSeen() {
+  sbus::Acquisition<Format> acquisition;
   acquisition.reset();
   return acquisition;
 }
@@ -47,9 +49,10 @@ inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
 }
 
 // Returns "accept", "aligned", "wait", or why it is rejected and after how many characters the search continues.
-inline std::string judged(const Case &c, sbus::Acquisition<sbus::Frame16> acquisition = noneSeen()) {
+template <typename Format = sbus::Frame16>
+std::string judged(const Case &c, sbus::Acquisition<Format> acquisition = noneSeen<Format>()) {
   static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
-  const sbus::Verdict verdict = sbus::rules::judge(c.candidate(), acquisition);
+  const sbus::Verdict verdict = sbus::rules::judge(c.candidate<Format>(), acquisition);
   return verdict.isAligned() ? "aligned"
          : verdict.isAccepted() ? "accept"
          : verdict.isOpen()     ? "wait"

@@ -1,4 +1,4 @@
-// A DecodeSBus or DecodeSBus24 on a FakeSerial, and what a sketch does with them.
+// A DecodeSBus, DecodeSBus24 or DecodeSBus32 on a FakeSerial, and what a sketch does with them.
 #pragma once
 
 #include "Bytes.h"
@@ -14,7 +14,7 @@ constexpr uint64_t Ms = 1000;  // us
 constexpr Channels Untouched = {4711};
 constexpr LongChannels UntouchedLong = {4711};
 
-// `Decoder` is DecodeSBus or DecodeSBus24.
+// `Decoder` is DecodeSBus, DecodeSBus24 or DecodeSBus32.
 template <typename Decoder, typename Format>
 struct FakeBoardOf {
   using Frame = std::array<uint8_t, Format::Size>;
@@ -87,6 +87,7 @@ struct FakeBoardOf {
 };
 
 using FakeBoard = FakeBoardOf<DecodeSBus, sbus::Frame16>;
+using FakeBoard32 = FakeBoardOf<DecodeSBus32, sbus::Frame16Extra>;
 using Decoded = FakeBoard::Decoded;
 
 // An open port.

@@ -9,23 +9,24 @@
 #include "Bytes.h"
 #include "KnownFrames.h"
 #include "board/BoardUart.h"
+#include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
 
-template <typename Format>
-std::array<uint8_t, Format::Size> lastFrame(const sbus::FrameFinderOf<Format> &finder) {
+template <typename Format, typename Events>
+std::array<uint8_t, Format::Size> lastFrame(const sbus::FrameFinderOf<Format, Events> &finder) {
   std::array<uint8_t, Format::Size> frame;
   std::memcpy(frame.data(), finder.frame(), frame.size());
   return frame;
 }
 
-template <typename Format>
+template <typename Format, typename Events = sbus::NoEvents>
 struct FeederOf {
   static constexpr uint32_t CharacterUs = 120;
   static constexpr uint32_t GapUs = 4000;  // T = 7 ms
 
   using Frames = std::vector<std::array<uint8_t, Format::Size>>;
 
-  sbus::FrameFinderOf<Format> finder;
+  sbus::FrameFinderOf<Format, Events> finder;
   uint32_t now;
 
   explicit FeederOf(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
@@ -108,6 +109,7 @@ struct FeederOf {
 };
 
 using Feeder = FeederOf<sbus::Frame16>;
+using ExtraFeeder = FeederOf<sbus::Frame16Extra, sbus::ExtraFrame>;
 
 // Characters and gaps, read through the board's driver by a loop() of some period.
 class TimedLine {
@@ -133,9 +135,9 @@ class TimedLine {
   }
 
   // Polls a finder every `loopUs`, until 20 ms after the last character. Returns what it delivers, and its counters.
-  template <typename Format = sbus::Frame16>
+  template <typename Format = sbus::Frame16, typename Events = sbus::NoEvents>
   typename FeederOf<Format>::Frames frames(uint32_t loopUs, sbus::Counters *counters = nullptr) const {
-    FeederOf<Format> feeder;
+    FeederOf<Format, Events> feeder;
     const uint32_t start = feeder.settle(loopUs).now;
     host::BoardUart uart;
     uart.open(0);

@@ -93,8 +93,7 @@ TEST_CASE(
     std::function<void(sbus::Telemetry &)> event;
     bool isRejected;
   } rows[] = {{"nothing", [](sbus::Telemetry &) {}, false},
-              {"lost", [](sbus::Telemetry &telemetry) { telemetry.lost(); }, true},
-              {"2F", [](sbus::Telemetry &telemetry) { telemetry.extra(); }, true}};
+              {"lost", [](sbus::Telemetry &telemetry) { telemetry.lost(); }, true}};
   for (const auto &row : rows) {
     CAPTURE(row.what);
     sbus::Telemetry telemetry;

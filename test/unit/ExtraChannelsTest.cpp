@@ -17,14 +17,14 @@ Extra channelsOf(const Frame &frame) {
   return readPayload<16>(frame);
 }
 
-Extra lastExtra(const sbus::FrameFinder &finder) {
+Extra lastExtra(const ExtraFeeder &line) {
   Extra channels = Nothing;
-  sbus::unpackExtra(finder.extra(), channels.data());
+  sbus::unpackExtra(line.finder.events().bytes(), channels.data());
   return channels;
 }
 
 // Returns what decodeExtraChannels() writes, or Nothing.
-Extra extraOf(FakeBoard &board) {
+Extra extraOf(FakeBoard32 &board) {
   Extra channels = Nothing;
   const bool decoded = board.sbus.decodeExtraChannels(channels.data());
   CHECK(decoded == (channels != Nothing));
@@ -32,7 +32,7 @@ Extra extraOf(FakeBoard &board) {
 }
 
 // A 2F frame, and a frame after a gap.
-void receive(FakeBoard &board, unsigned number) {
+void receive(FakeBoard32 &board, unsigned number) {
   board.wait(6 * Ms);
   board.frame(extraFrame(number));
   board.wait(3 * Ms);
@@ -56,7 +56,7 @@ TEST_CASE(
         for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
           INFO("end ", end, ", gapUs ", gapUs, ", neutral ", neutral, ", loopUs ", loopUs);
           sbus::Counters counters;
-          CHECK(line.frames(loopUs, &counters) == sent);
+          CHECK((line.frames<sbus::Frame16Extra, sbus::ExtraFrame>(loopUs, &counters)) == sent);
           CHECK(counters.extraFrames == 19);  // before the first frame the variant is not known
           CHECK(counters.discardedBytes == 25);
           CHECK(counters.resyncs == 0);
@@ -76,7 +76,7 @@ TEST_CASE("a 2F frame is accepted once silence follows it, or a gap and a byte, 
   for (unsigned next = 0; next < 256; next++) {
     for (const auto &row : rows) {
       INFO("next ", next, ", silenceUs ", row.silenceUs);
-      Feeder line;
+      ExtraFeeder line;
       line.lock().feed(bytesOf(extraFrame(7)));
       CHECK(line.counted().extraFrames == 0);
       line.wait(row.silenceUs);
@@ -85,7 +85,7 @@ TEST_CASE("a 2F frame is accepted once silence follows it, or a gap and a byte, 
       const bool accepted = row.byNext || next == 0x0F || next == 0x2F;
       CHECK(line.counted().extraFrames == accepted);
       if (accepted) {
-        CHECK(lastExtra(line.finder) == channelsOf(extraFrame(7)));
+        CHECK(lastExtra(line) == channelsOf(extraFrame(7)));
       }
       CHECK(line.finder.frame() != nullptr);
       CHECK(lastFrame(line.finder) == plainFrame(2));  // of lock()
@@ -97,7 +97,7 @@ TEST_CASE("after an impaired 2F frame the next 2F and 0F frames come at once, an
   for (const bool extraImpaired : {true, false}) {
     for (const size_t lost : {1u, 5u, 12u, 24u}) {
       INFO("extraImpaired ", extraImpaired, ", lost ", lost);
-      Feeder line;
+      ExtraFeeder line;
       line.lock();
       // Without a gap between: it may be too short to be seen.
       const Frame extra = withByte(neutralFrame(7), 0, 0x2F), frame = neutralFrame(8);
@@ -137,7 +137,7 @@ TEST_CASE("a 2F frame is rejected if its form is wrong, a gap lies in it, or no 
     for (const uint32_t gapUs : {uint32_t{0}, Feeder::GapUs}) {
       for (const size_t burst : {1u, 5u}) {
         INFO(row.what, ", gapUs ", gapUs, ", burst ", burst);
-        Feeder line;
+        ExtraFeeder line;
         line.lock().feed(row.bytes, burst);
         if (!row.afterGap.empty()) {
           line.wait(8000).feed(row.afterGap, burst);
@@ -153,7 +153,7 @@ TEST_CASE("a 2F frame is rejected if its form is wrong, a gap lies in it, or no 
 }
 
 TEST_CASE("a 2F frame is accepted only once the line variant is known, and never if that variant has none") {
-  Feeder line;
+  ExtraFeeder line;
   line.settle().feed(bytesOf(extraFrame(0)));
   CHECK(line.wait(Feeder::GapUs).feed(bytesOf(extraFrame(1)) + bytesOf(plainFrame(0))).empty());
   CHECK(line.counted().extraFrames == 0);
@@ -161,7 +161,7 @@ TEST_CASE("a 2F frame is accepted only once the line variant is known, and never
   CHECK(line.feed(bytesOf(extraFrame(2)) + bytesOf(plainFrame(1))) == Frames{plainFrame(1)});
   CHECK(line.counted().extraFrames == 1);
 
-  Feeder tailed;  // an R7003SB
+  ExtraFeeder tailed;  // an R7003SB
   tailed.lock(R7003End).feed(bytesOf(extraFrame(0, 0x00)));
   tailed.wait(Feeder::GapUs).feed(bytesOf(plainFrame(3, R7003End)) + tailOf(R7003End));
   CHECK(tailed.counted().extraFrames == 0);
@@ -173,7 +173,7 @@ TEST_CASE("a 2F frame's age counts from the last poll without its end, however l
   for (const uint32_t us : {3000u, 20000u, 10000000u}) {
     for (const bool headerNext : {false, true}) {
       INFO("us ", us, ", headerNext ", headerNext);
-      Feeder line;
+      ExtraFeeder line;
       line.lock().feed(extra);
       uint32_t before = line.now - Feeder::CharacterUs;
       if (headerNext) {
@@ -182,14 +182,14 @@ TEST_CASE("a 2F frame's age counts from the last poll without its end, however l
         line.wait(us);
       }
       REQUIRE(line.counted().extraFrames == 1);
-      CHECK(line.finder.extraTime() == before - Idle);
+      CHECK(line.finder.events().time() == before - Idle);
 
-      Feeder blocked;
+      ExtraFeeder blocked;
       before = blocked.lock().now;
       blocked.block(us).poll(headerNext ? extra + Bytes{0x0F} : extra);
       blocked.wait(3000);
       REQUIRE(blocked.counted().extraFrames == 1);
-      CHECK(blocked.finder.extraTime() == before - Idle - (headerNext ? 5 * Feeder::CharacterUs : 0));
+      CHECK(blocked.finder.events().time() == before - Idle - (headerNext ? 5 * Feeder::CharacterUs : 0));
     }
   }
 }
@@ -201,7 +201,7 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is rejected; the frame af
   } rows[] = {{49999, 2}, {50000, 1}, {10000000, 1}};
   for (const auto &row : rows) {
     CAPTURE(row.silenceUs);
-    Feeder line;
+    ExtraFeeder line;
     line.lock();
     line.wait(row.silenceUs - Feeder::GapUs);  // lock() ends with that gap
     for (unsigned number = 1; number <= 2; number++) {
@@ -210,7 +210,7 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is rejected; the frame af
       line.wait(Feeder::GapUs);
     }
     CHECK(line.counted().extraFrames == row.extras);
-    CHECK(lastExtra(line.finder) == channelsOf(extraFrame(2)));
+    CHECK(lastExtra(line) == channelsOf(extraFrame(2)));
   }
 }
 
@@ -223,7 +223,8 @@ TEST_CASE("decodeExtraChannels writes the newest 2F frame until the timeout, and
     for (const uint64_t start : {5000 * Ms, MicrosWrap - 60 * Ms}) {
       INFO("timeoutMs ", row.timeoutMs, ", start ", start);
       fakeMicros = start;
-      OpenBoard board;
+      FakeBoard32 board;
+      board.sbus.begin();
       if (row.timeoutMs >= 0) {
         board.sbus.setTimeout(static_cast<uint16_t>(row.timeoutMs));
       }

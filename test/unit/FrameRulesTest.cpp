@@ -78,7 +78,7 @@ TEST_CASE(
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
-    CHECK(judged({row.bytes, row.gapAt, row.offBy, true, row.hasLineVariant}) == row.verdict);
+    CHECK(judged<Frame16Extra>({row.bytes, row.gapAt, row.offBy, true, row.hasLineVariant}) == row.verdict);
   }
 }
 

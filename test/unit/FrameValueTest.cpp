@@ -188,7 +188,8 @@ TEST_CASE("a null pointer gets no channels and sends none") {
   board.sbus.decodeSBusFrame(none, failsafe, lostFrame);
   CHECK(failsafe);
   CHECK(lostFrame);
-  CHECK_FALSE(board.sbus.decodeExtraChannels(none));
+  FakeBoard32 board32;
+  CHECK_FALSE(board32.sbus.decodeExtraChannels(none));
   FakeSerial port;
   EncodeSBus encoder(port);
   encoder.begin();

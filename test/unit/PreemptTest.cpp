@@ -213,7 +213,7 @@ TEST_CASE(
 TEST_CASE("decodeExtraChannels() writes one 2F frame, or leaves the array alone if the newest is stale") {
   using Extra = std::array<uint16_t, 16>;
   const Extra nothing = {4711};
-  static OpenBoard *board;
+  static FakeBoard32 *board;
   static unsigned next, during;  // 2F frames: the number of the next, and how many come in during the interrupt
   static uint64_t interruptMs;
   static const auto receive = [] {
@@ -248,12 +248,13 @@ TEST_CASE("decodeExtraChannels() writes one 2F frame, or leaves the array alone 
     interruptMs = row.interruptMs;
     forEveryInstruction([&](unsigned long instruction) {
       fakeMicros = 1000000 + instruction * 131;
-      OpenBoard now;
+      FakeBoard32 now;
+      now.sbus.begin();
       board = &now;
       for (next = 0; next < 3;) {
         receive();
       }
-      uint64_t us = row.ageMs * Ms - 1 * Ms - FakeBoard::FrameUs;
+      uint64_t us = row.ageMs * Ms - 1 * Ms - FakeBoard32::FrameUs;
       for (; us >= 9 * Ms; us -= 9 * Ms) {  // after more than 50 ms of silence a 2F frame is not aligned
         now.nextFrame(frameOf(0));
       }

@@ -224,7 +224,9 @@ TEST_CASE("extra channels from before a sleep are stale after it, until they com
   for (const uint64_t sleepUs : {100 * Ms, 5 * Second}) {
     for (const bool goesOn : {false, true}) {
       INFO("sleepUs ", sleepUs, ", goesOn ", goesOn);
-      SyncedBoard board;
+      FakeBoard32 board;
+      board.sbus.begin();
+      board.firstFrame(Neutral.bytes);
       unsigned number = 0;
       const auto receive = [&] {
         board.wait(6 * Ms);

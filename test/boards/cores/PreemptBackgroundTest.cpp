@@ -23,6 +23,8 @@ using cores::world;
 
 constexpr uint64_t Ms = 1000;  // us
 
+using Background = DecodeSBusBackgroundOf<DecodeSBus32>;  // has all methods
+
 // A port whose methods nothing interrupts: what would come meanwhile comes at their end.
 class Port : public HardwareSerial {
  public:
@@ -68,7 +70,7 @@ class Port : public HardwareSerial {
 // In sync with a line of frames, 9 ms apart, polled each millisecond.
 struct Scene {
   Port port;
-  DecodeSBusBackground sbus{port};
+  Background sbus{port};
   unsigned next = 0;
   Frame frame{};  // the one that comes
 
@@ -155,20 +157,20 @@ void goesOn(Scene &now) {
 }  // namespace
 
 TEST_CASE("while the interrupt brings the end of a frame, each method works, and all frames come") {
-  using Method = void (*)(DecodeSBusBackground &);
+  using Method = void (*)(Background &);
   static Channels channels;
   everyInstruction([](Scene &now) { now.sbus.parseSBusFrame(); }, goesOn, true);
   const Method methods[] = {
-      [](DecodeSBusBackground &sbus) { sbus.SBusFrameOk(); },
-      [](DecodeSBusBackground &sbus) { sbus.newFrame(); },
-      [](DecodeSBusBackground &sbus) {
+      [](Background &sbus) { sbus.SBusFrameOk(); },
+      [](Background &sbus) { sbus.newFrame(); },
+      [](Background &sbus) {
         static SBusFrame frame;
         sbus.read(frame);
       },
-      [](DecodeSBusBackground &sbus) { sbus.linkState(); },
-      [](DecodeSBusBackground &sbus) { sbus.setTimeout(100); },
-      [](DecodeSBusBackground &sbus) { sbus.setLossLimit(100); },
-      [](DecodeSBusBackground &sbus) { sbus.decodeExtraChannels(channels.data()); },
+      [](Background &sbus) { sbus.linkState(); },
+      [](Background &sbus) { sbus.setTimeout(100); },
+      [](Background &sbus) { sbus.setLossLimit(100); },
+      [](Background &sbus) { sbus.decodeExtraChannels(channels.data()); },
   };
   for (const Method &method : methods) {
     everyInstruction([&](Scene &now) { method(now.sbus); }, goesOn);

@@ -128,10 +128,10 @@ TEST_CASE(
 #elif defined(ESP32)
 
 TEST_CASE("each method that loop() calls waits for the task, which may be in the middle of a frame") {
-  Sketch sketch;
+  SketchOf<DecodeSBusBackgroundOf<DecodeSBus32>> sketch;
   uint16_t channels[18];
   bool failsafe, lostFrame;
-  const DecodeSBusBackground &constant = sketch.sbus;
+  const DecodeSBusBackgroundOf<DecodeSBus32> &constant = sketch.sbus;
   const auto locks = [](auto method) {
     const unsigned before = world.locks;
     method();
