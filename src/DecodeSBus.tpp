@@ -72,6 +72,10 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
 
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::arrived() {
+  if (!Events::wantsTimes() && _port.isAtHalf() && _finder.mayWait(_port.waiting(), micros())) {
+    _port.callAgain();  // one read for a frame costs less than two
+    return;
+  }
   take(true);
 }
 
@@ -127,10 +131,6 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
     return;
   }
   const unsigned bytes = static_cast<unsigned>(found);
-  if (isPrompt && !Events::wantsTimes() && _port.tellsIdle() && !_port.wasIdle() && _finder.mayWait(bytes, now)) {
-    _port.read(_finder.space(), 0);  // reads nothing: then the port calls again. One read costs less than two
-    return;
-  }
   if (_port.mayHaveLostOldest(bytes)) {
     _finder.broken();  // the bytes that wait stand after the loss
   }

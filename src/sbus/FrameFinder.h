@@ -98,13 +98,20 @@ class FrameFinderOf : private Events {
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
   const uint8_t *ended() { return settle(Silence::Gap); }
 
-  /// Returns true if the `waiting` bytes that the port has just handed over need not be read yet: they complete no frame,
-  /// and it has handed over all of them at once.
+  /// Returns true if the `waiting` bytes need not be read yet: they complete no frame. The port has just called back,
+  /// because half of its ring was full: once, or twice where a frame is due.
   bool mayWait(unsigned waiting, uint32_t now) {
-    if (_unread != 0 || static_cast<unsigned>(_buffer.filled()) + waiting >= Format::Size) {
+    if (static_cast<unsigned>(_buffer.filled()) + waiting >= Format::Size) {
       return false;
     }
-    _unread = static_cast<uint8_t>(waiting);
+    if (_unread == 0) {
+      _unread = static_cast<uint8_t>(waiting);
+      _unreadBy = now;
+    } else if (_second == 0 && isDue()) {
+      _second = static_cast<uint8_t>(waiting);
+    } else {
+      return false;
+    }
     _timing.incomplete(now);
     return true;
   }
@@ -150,8 +157,7 @@ class FrameFinderOf : private Events {
   void startOver(int offBy);
   void startPoll(unsigned found);
   void gapBefore(Silence gap);
-  int gapWithin(int filled, unsigned found, unsigned unread, uint32_t handedOver, uint32_t lastPoll, uint32_t lastBytes,
-                bool isWhole);
+  unsigned likelyGapAt(unsigned found, uint32_t handedOver, uint32_t lastPoll, uint32_t lastBytes, bool isWhole);
   bool isDue() const { return _aligned && _expectedAt == 0; }
   void checkFound();
   void lost(uint32_t &counter);
@@ -176,7 +182,8 @@ class FrameFinderOf : private Events {
   bool _aligned;       // the last frame was aligned
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll
-  uint8_t _unread;     // bytes that the port has handed over, and that mayWait()
+  uint8_t _unread;     // bytes that waited at `_unreadBy`, and have not been read; 0: none
+  uint8_t _second;     // likewise, at the newest poll; 0: not that many halves of the ring
   uint16_t _found;     // bytes that this poll has found
   bool _owed;          // the port has lost bytes after those of this poll
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
@@ -186,6 +193,7 @@ class FrameFinderOf : private Events {
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
+  uint32_t _unreadBy;
   uint32_t _takenBy;  // us: time of the poll that brought the last frame
   Counters _counters;
 };
@@ -223,18 +231,18 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
 template <typename Format, typename Events>
 SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
   startPoll(found);
-  const unsigned unread = _unread;
   const uint32_t lastPoll = _timing.lastPoll(), lastBytes = _timing.lastBytes();
-  _unread = 0;
   _timing.taken(now);
-  const int filled = _buffer.filled();
-  const int all = filled + static_cast<int>(found);
+  const int all = _buffer.filled() + static_cast<int>(found);
   const bool isWhole = all == Format::Size && isIdle;
-  if (isDue() && (isWhole || all < Format::Size) && now - _takenBy < _counters.period + LineTiming::LongestStop) {
-    _acquisition.characters(found);
-    return 0;
+  unsigned before = 0;
+  if (!isDue() || (!isWhole && all >= Format::Size) || now - _takenBy >= _counters.period + LineTiming::LongestStop) {
+    before = likelyGapAt(found, isPrompt ? now : lastPoll, lastPoll, lastBytes, isWhole);
   }
-  return gapWithin(filled, found, unread, isPrompt ? now : lastPoll, lastPoll, lastBytes, isWhole);
+  _unread = 0;
+  _second = 0;
+  _acquisition.characters(found);
+  return static_cast<int>(before);
 }
 
 /// Finds frames of 16 channels, which nearly all receivers send.

@@ -27,6 +27,7 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _aligned = false;
   _hasBreaks = false;
   _unread = 0;
+  _second = 0;
   _buffer.clear();
   startOver(rules::FirstOffBy);
   _counters = Counters();
@@ -97,18 +98,24 @@ void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
   }
 }
 
-// Takes the gaps that the times show before `found` bytes, and after `unread` of them: see pollIdling(). `handedOver`: when
-// the port handed over the last of them, at the latest; the `unread` ones at `lastPoll`, those before them at `lastBytes`.
+// Takes the gap that the times show before `found` bytes, the last of which were handed over by `handedOver`. Returns
+// after how many of them there is another: see pollIdling().
 template <typename Format, typename Events>
-int FrameFinderOf<Format, Events>::gapWithin(int filled, unsigned found, unsigned unread, uint32_t handedOver,
-                                             uint32_t lastPoll, uint32_t lastBytes, bool isWhole) {
-  uint32_t before, within = 0;
-  if (unread != 0) {
-    within = _timing.silence(found - unread, handedOver, lastPoll);
-    before = _timing.silence(unread, lastPoll, lastBytes);
-  } else {
+unsigned FrameFinderOf<Format, Events>::likelyGapAt(unsigned found, uint32_t handedOver, uint32_t lastPoll,
+                                                    uint32_t lastBytes, bool isWhole) {
+  uint32_t before, within = 0, later = 0;
+  if (_unread == 0) {
     before = _timing.silence(found, handedOver, lastBytes);
+  } else {
+    before = _timing.silence(_unread, _unreadBy, lastBytes);
+    if (_second == 0) {
+      within = _timing.silence(found - _unread, handedOver, _unreadBy);
+    } else {
+      within = _timing.silence(static_cast<unsigned>(_second - _unread), lastPoll, _unreadBy);
+      later = _timing.silence(found - _second, handedOver, lastPoll);
+    }
   }
+  const int filled = _buffer.filled();
   const uint32_t bearable = isWhole && (_buffer.gapAt() == 0 || isDue()) ? LineTiming::LongestStop : _timing.shortestGap();
   if (before >= LineTiming::LongSilence) {
     startOver(rules::FirstOffBy);
@@ -119,8 +126,7 @@ int FrameFinderOf<Format, Events>::gapWithin(int filled, unsigned found, unsigne
       likelyGap();
     }
   }
-  _acquisition.characters(found);
-  return within > bearable ? static_cast<int>(unread) : 0;
+  return within > bearable ? _unread : later > bearable ? _second : 0u;
 }
 
 // Takes a silence after the last byte. Returns the frame that waited for it, or nullptr.
@@ -316,6 +322,6 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                  \
   template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                      \
   template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence); \
-  template int sbus::FrameFinderOf<__VA_ARGS__>::gapWithin(int, unsigned, unsigned, uint32_t, uint32_t, uint32_t, bool);                \
+  template unsigned sbus::FrameFinderOf<__VA_ARGS__>::likelyGapAt(unsigned, uint32_t, uint32_t, uint32_t, bool);                \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle(sbus::Silence);         \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

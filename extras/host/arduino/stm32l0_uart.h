@@ -19,4 +19,5 @@
 typedef struct _stm32l0_uart_t {
   uint16_t rx_index;           // of the ring: what comes before was handed over
   volatile uint32_t rx_count;  // handed over and not read
+  volatile uint8_t rx_event;   // the next byte handed over makes an event
 } stm32l0_uart_t;

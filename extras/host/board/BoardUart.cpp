@@ -12,7 +12,7 @@ void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t char
   _size = size;
   _first = 0;
   _state = {};
-  _eventArmed = true;
+  _state.rx_event = true;
   _event = false;
 }
 
@@ -51,15 +51,15 @@ void BoardUart::handOver() {
     }
     _buffer[(_first + _state.rx_count) % _size] = byte;
     _state.rx_count = _state.rx_count + 1;
-    if (_eventArmed) {
-      _eventArmed = false;
+    if (_state.rx_event) {
+      _state.rx_event = false;
       _event = true;
     }
   }
 }
 
 int BoardUart::peek() {
-  _eventArmed = true;
+  _state.rx_event = true;
   return available() > 0 ? _buffer[_first] : -1;
 }
 
@@ -69,7 +69,7 @@ int BoardUart::read() {
 }
 
 int BoardUart::read(uint8_t *buffer, size_t size) {
-  _eventArmed = true;
+  _state.rx_event = true;
   size_t done = 0;
   while (done < size && available() > 0) {
     buffer[done++] = _buffer[_first];

@@ -79,7 +79,6 @@ class BoardUart {
   size_t _first = 0;
   stm32l0_uart_t _state{};
 
-  bool _eventArmed = false;
   bool _event = false;
 
   unsigned long _droppedBad = 0;
