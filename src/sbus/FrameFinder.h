@@ -187,7 +187,6 @@ class FrameFinderOf : private Events {
   uint16_t _found;     // bytes that this poll has found
   bool _owed;          // the port has lost bytes after those of this poll
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
-  bool _onlyNoise;     // since the last frame: neither a gap nor a header
   Acquisition<Format> _acquisition;
   LineTiming _timing;
   FrameBuffer<Format> _buffer;

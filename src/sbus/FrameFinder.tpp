@@ -42,7 +42,6 @@ void FrameFinderOf<Format, Events>::startOver(int offBy) {
   Events::discarded(_buffer.bytes(), count);
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
-  _onlyNoise = false;
   _owed = false;
   _acquisition.forget(offBy == rules::FirstOffBy);
 }
@@ -286,7 +285,6 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
     countUp(_counters.resyncs);
   }
   _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
-  _onlyNoise = true;
   const uint32_t interval = _completeAfter - _frameTime;
   _counters.count(Format::flags(frame), interval);
   _frameTime = _completeAfter;
@@ -301,11 +299,6 @@ template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::discard(int count) {
   if (_expectedAt > -FarOff) {
     _expectedAt = static_cast<int8_t>(_expectedAt - count);
-  }
-  if (_buffer.gapAt() <= count || _buffer.isHeader(0)) {
-    _onlyNoise = false;
-  } else if (_onlyNoise && _expectedAt < -rules::MostNoise) {
-    _variant = UnknownVariant;
   }
   _counters.discardedBytes += static_cast<unsigned>(count);
   Events::discarded(_buffer.bytes(), count);
