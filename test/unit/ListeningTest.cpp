@@ -85,6 +85,7 @@ TEST_CASE(
       CHECK(board.sbus.counters().frames >= 1);
       board.pass(120);
       CHECK(board.sbus.counters().frames == 2);
+      REQUIRE(!board.frames.empty());
       CHECK(board.frames.front() == PaperLow.channels);
       CHECK(board.frames.back() == PaperHigh.channels);
     }
