@@ -8,6 +8,11 @@
 //   1110xxxx          2^x * 20 us pass
 //   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13 and 14), a poll without time (x =
 //   15)
+//
+// Each input is taken five times for each frame size: polled, by events, by a port that tells when its line was idle, as
+// the Grasshopper's; by calls in any order, each of which a byte after its operation chooses (Any); and so by a clock that
+// jumps (x = 8..12) and stops, and a port that loses bytes that wait.
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -19,23 +24,34 @@
 
 namespace {
 
+enum class Calls { Polled, ByEvents, Idling, Any, Unsteady };
+
 template <typename Format, typename Events>
 class Sketch {
  public:
-  // `byEvents`: it polls only when bytes wait.
-  explicit Sketch(bool byEvents) : _byEvents(byEvents) { reset(); }
+  explicit Sketch(Calls calls) : _calls(calls) { reset(); }
 
   void reset() {
-    _finder.reset(_now, sbus::CharacterTime);
+    _finder.reset(_now, sbus::CharacterTime, hasIdle() ? 1 : sbus::MostIdleCharacters);
     startAnew();
     _frames = 0;
     _call = _now;
   }
 
+  bool isAny() const { return _calls == Calls::Any || _calls == Calls::Unsteady; }
+  bool isUnsteady() const { return _calls == Calls::Unsteady; }
+
   void arrive(uint8_t byte) {
+    _ring++;
     if (_waiting.size() < 64) {
       _waiting.push_back(byte);
     }
+  }
+
+  // Takes bytes from the port, as a sketch must not.
+  void lose(size_t count) {
+    _waiting.resize(_waiting.size() - std::min(count, _waiting.size()));
+    _hasLost = true;
   }
 
   void pass(uint32_t us) { _now += us; }
@@ -45,8 +61,9 @@ class Sketch {
     startAnew();
   }
 
-  void poll() {
-    if (_waiting.empty() && _byEvents) {
+  // `choice`: which calls, where any may be made.
+  void poll(unsigned choice) {
+    if (_waiting.empty() && _calls == Calls::ByEvents) {
       return;
     }
     _callBefore = _call;
@@ -55,18 +72,44 @@ class Sketch {
       check(_finder.idle(_now));
       return;
     }
-    _finder.poll(static_cast<unsigned>(_waiting.size()), _now);
+    const unsigned found = static_cast<unsigned>(_waiting.size());
+    const bool isIdle = isAny() ? (choice & 1) != 0 : _ring % 16 != 0;
+    const bool isPrompt = !isAny() || (choice & 2) != 0;
+    const bool mayWait = isAny() ? (choice & 4) != 0 : hasIdle() && !isIdle;
+    if (mayWait && _finder.mayWait(found, _now)) {
+      check(nullptr);
+      return;
+    }
+    size_t split = 0;
+    if (hasIdle()) {
+      const int first = _finder.pollIdling(found, _now, isPrompt, isIdle);
+      require(_hasLost || (first >= 0 && first <= static_cast<int>(found)), "no more is read than waits");
+      split = std::min(static_cast<size_t>(first), _waiting.size());
+      _hasLost = false;
+    } else {
+      _finder.poll(found, _now);
+    }
     for (size_t at = 0; at < _waiting.size();) {
       const size_t room = static_cast<size_t>(_finder.room());
       require(room >= 1 && room <= _roomAtStart, "room() is never 0, and never more than at the start");
-      const size_t count = _waiting.size() - at < room ? _waiting.size() - at : room;
+      const size_t count = std::min(split != 0 ? split : _waiting.size() - at, room);
       const uint8_t *const bytes = _waiting.data() + at;
       std::memcpy(_finder.space(), bytes, count);
       _fed.insert(_fed.end(), bytes, bytes + count);
       at += count;
       check(_finder.received(static_cast<int>(count), static_cast<int>(_waiting.size() - at)));
+      if (split != 0 || (isAny() && (choice & 8) != 0)) {
+        _finder.likelyGap();
+        split = 0;
+      }
     }
     _waiting.clear();
+    if (isAny() ? (choice & 16) != 0 : hasIdle() && isIdle) {
+      check(_finder.ended());
+      if ((choice & 32) != 0) {
+        check(_finder.ended());
+      }
+    }
   }
 
  private:
@@ -100,7 +143,7 @@ class Sketch {
     require(delivered == frame, "received() and idle() return frame()");
     require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
     require(frame[0] == 0x0F && sbus::isFlagsByte(frame[Size - 2]), "a delivered frame is a frame");
-    require(static_cast<int32_t>(_callBefore - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0,
+    require(isUnsteady() || static_cast<int32_t>(_callBefore - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0,
             "no frame is too young");
     require(Size == 36 ? frame[Size - 1] == 0 : sbus::isEndByte(frame[Size - 1]), "a delivered frame ends as one");
     require(_fed.size() >= heldBytes() + Size, "a frame's bytes have come since the last break");
@@ -112,11 +155,15 @@ class Sketch {
 
   static constexpr uint32_t Size = Format::Size;
 
-  const bool _byEvents;
+  bool hasIdle() const { return _calls >= Calls::Idling; }
+
+  const Calls _calls;
   sbus::FrameFinderOf<Format, Events> _finder;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
   uint32_t _call = 0, _callBefore = 0;
+  unsigned _ring = 0;  // bytes that have come
   std::vector<uint8_t> _waiting;
+  bool _hasLost = false;  // some of those that wait
   std::vector<uint8_t> _fed;  // since the last break
   size_t _afterFrame = 0;
   uint32_t _frames = 0;
@@ -127,13 +174,15 @@ class Sketch {
 };
 
 template <typename Format, typename Events = sbus::NoEvents>
-void run(const uint8_t *data, size_t size, bool byEvents) {
-  Sketch<Format, Events> sketch(byEvents);
-  for (size_t at = 0; at < size; at++) {
+void run(const uint8_t *data, size_t size, Calls calls) {
+  Sketch<Format, Events> sketch(calls);
+  size_t at = 0;
+  const auto poll = [&] { sketch.poll(sketch.isAny() && at + 1 < size ? data[++at] : 0); };
+  for (; at < size; at++) {
     const uint8_t operation = data[at];
     if (operation < 0x80) {
       sketch.pass(operation * 100u);
-      sketch.poll();
+      poll();
     } else if (operation < 0xC0) {
       for (unsigned left = (operation & 0x3Fu) + 1; left > 0 && at + 1 < size; left--) {
         sketch.arrive(data[++at]);
@@ -151,23 +200,28 @@ void run(const uint8_t *data, size_t size, bool byEvents) {
     } else if (operation == 0xFD || operation == 0xFE) {
       sketch.reset();
     } else if (operation == 0xFF) {
-      sketch.poll();
+      poll();
+    } else if (sketch.isUnsteady() && operation >= 0xF8) {
+      constexpr uint32_t Jumps[] = {1000000, 1u << 30, 1u << 31, 0u - 1000, 0u - 1000000};  // us
+      sketch.pass(Jumps[operation - 0xF8]);
+    } else if (sketch.isUnsteady() && operation >= 0xF4) {
+      sketch.lose(operation - 0xF3u);
     } else {
-      sketch.poll();
+      poll();
       sketch.broken();
     }
   }
-  sketch.poll();
+  poll();
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  for (const bool byEvents : {false, true}) {
-    run<sbus::Frame16>(data, size, byEvents);
-    run<sbus::Frame16Extra, sbus::ExtraFrame>(data, size, byEvents);
-    run<sbus::Frame24>(data, size, byEvents);
+  for (const Calls calls : {Calls::Polled, Calls::ByEvents, Calls::Idling, Calls::Any, Calls::Unsteady}) {
+    run<sbus::Frame16>(data, size, calls);
+    run<sbus::Frame16Extra, sbus::ExtraFrame>(data, size, calls);
+    run<sbus::Frame24>(data, size, calls);
   }
   return 0;
 }

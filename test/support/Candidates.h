@@ -17,13 +17,16 @@ struct Case {
   bool isInSync = true;
   bool hasLineVariant = true;
   bool isGapCertain = true;
+  sbus::Silence inside = sbus::Silence::Unknown;  // the longest gap inside before the newest
+  bool beginsWide = false;
+  bool isGapWide = false;
 
   template <typename Format = sbus::Frame16>
   sbus::Candidate<Format> candidate() const {
-    const sbus::Silence gap = isGapCertain ? sbus::Silence::Gap : sbus::Silence::Likely;
-    const bool isInside = gapAt > 0 && gapAt < sbus::FrameSize;
-    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, isInside ? gap : sbus::Silence::Unknown, false,
-            sbus::variantOfEnd(bytes[24]),
+    const sbus::Silence gap = isGapWide      ? sbus::Silence::Wide
+                              : isGapCertain ? sbus::Silence::Gap
+                                             : sbus::Silence::Likely;
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, inside, beginsWide, sbus::variantOfEnd(bytes[24]),
             hasLineVariant ? sbus::variantOfEnd(bytes[24]) : sbus::UnknownVariant, offBy, isInSync && offBy == 0};
   }
 };
@@ -45,6 +48,14 @@ inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
   acquisition.gap(0, true);
   acquisition.characters(run);
   acquisition.gap(static_cast<int>(run), true);
+  return acquisition;
+}
+
+// Returns a line whose sender stretches frames.
+inline sbus::Acquisition<sbus::Frame16> stretching() {
+  sbus::Acquisition<sbus::Frame16> acquisition = noneSeen();
+  acquisition.stretchedFrame();
+  acquisition.stretchedFrame();
   return acquisition;
 }
 

@@ -8,7 +8,7 @@
 #include "KnownFrames.h"
 #include "UartPort.h"
 
-template <typename Decoder = DecodeSBus>
+template <typename Decoder = DecodeSBus, typename CallingPort = ::CallingPort>
 struct ListeningBoardOf {
   static constexpr uint32_t CharacterUs = 120;
 

@@ -77,13 +77,18 @@ class UartPort : public HardwareSerial {
   }
 
   uint64_t bytesRead() const { return _bytesRead; }
+  unsigned reads() const { return _reads; }  // calls that took bytes
+  unsigned asked() const { return _asked; }  // calls of available()
   uint64_t droppedFull() const { return _uart.droppedFull(); }
 
   // Returns when the line will have been idle for a character, if no other comes.
   uint64_t idleFromUs() const { return _uart.idleFromUs(); }
 
   void end() override { _uart.close(); }
-  int available() override { return _uart.available(); }
+  int available() override {
+    _asked++;
+    return _uart.available();
+  }
   int peek() override { return _uart.peek(); }
   int read() override {
     uint8_t value;
@@ -113,6 +118,7 @@ class UartPort : public HardwareSerial {
     _beforeRead();
     const int count = _uart.read(buffer, size);
     _bytesRead += static_cast<uint64_t>(count);
+    _reads += count > 0;
     return count;
   }
 
@@ -133,6 +139,8 @@ class UartPort : public HardwareSerial {
   uint64_t _openedUs = 0;
   uint32_t _characterUs = 0;
   uint64_t _bytesRead = 0;
+  unsigned _reads = 0;
+  unsigned _asked = 0;
   host::BoardUart _uart;
   std::vector<line::Character> _fifo;
   bool _interrupts = true;
@@ -199,5 +207,14 @@ class CallingPort : public BoardsPort {
 // By this the library knows the core's state of the port.
 inline stm32l0_uart_t *uartOf(CallingPort &port) {
   return &port.state();
+}
+
+// Another port that calls back: the core's state of it is not known.
+class UnknownCallingPort : public CallingPort {
+ public:
+  using CallingPort::CallingPort;
+};
+inline stm32l0_uart_t *uartOf(UnknownCallingPort &) {
+  return nullptr;
 }
 #endif

@@ -14,14 +14,95 @@ TEST_CASE("flags: the upper four bits are 0") {
   }
 }
 
-TEST_CASE("inside: a gap before the second to the last character rejects, up to that gap") {
+TEST_CASE(
+    "inside: a gap before the second to the last character rejects, up to that gap; where the sender may have "
+    "stretched the frame, another gap is waited for") {
   for (int gapAt = -3; gapAt < 30; gapAt++) {
     CAPTURE(gapAt);
-    const Case c = {Plain, gapAt};
-    CHECK(rules::hasGapInside(c.candidate()) == (gapAt > 0 && gapAt < 25));
-    CHECK((judged(c) == "gap inside " + std::to_string(gapAt)) == (gapAt > 0 && gapAt < 25));
-    CHECK(rules::hasGapInside(Case{Plain, gapAt, 0, true, true, false}.candidate()) == (gapAt > 0 && gapAt < 25));
+    const bool isInside = gapAt > 0 && gapAt < 25;
+    const std::string rejected = "gap inside " + std::to_string(gapAt);
+    const Bytes followed = Plain + Bytes{0x55};
+    constexpr Silence None = Silence::Unknown;
+    const struct {
+      const char *what;
+      Case given;
+      std::string inside;  // the verdict if the gap lies inside
+    } rows[] = {
+        {"in sync", {Plain, gapAt}, "wait"},
+        {"... if the gap is only likely", {Plain, gapAt, 0, true, true, false}, "wait"},
+        {"... if the gap is wide", {Plain, gapAt, 0, true, true, true, None, false, true}, rejected},
+        {"... if a wide gap lies before it", {Plain, gapAt, 0, true, true, true, Silence::Wide}, rejected},
+        {"... if no gap has followed", {followed, gapAt}, rejected},
+        {"out of sync", {Plain, gapAt, 1}, rejected},
+        {"... after a wide gap", {Plain, gapAt, 1, false, true, true, None, true}, "wait"},
+        {"... after a wide gap, if the line's variant is unknown", {Plain, gapAt, 1, false, false, true, None, true}, "wait"},
+    };
+    for (const auto &row : rows) {
+      CAPTURE(row.what);
+      const bool hasOther = row.given.inside != None;
+      CHECK(rules::hasGapInside(row.given.candidate()) == (isInside || hasOther));
+      if (isInside) {
+        CHECK(judged(row.given, stretching()) == row.inside);
+        CHECK(judged(row.given) == row.inside);
+      }
+    }
   }
+}
+
+TEST_CASE("inside: with a gap after it, a frame with gaps inside is one if its sender stretches frames, and all is in place") {
+  constexpr Silence Gap = Silence::Gap;
+  const struct {
+    const char *what;
+    Case given;
+    const char *stretching, *first;  // verdict, and that while the line is not known to stretch frames
+  } rows[] = {
+      {"in sync", {Plain, 25, 0, true, true, true, Gap}, "aligned", "gap inside 25"},
+      {"... a wide gap after it", {Plain, 25, 0, true, true, true, Gap, false, true}, "aligned", "gap inside 25"},
+      {"... a likely gap after it", {Plain, 25, 0, true, true, false, Gap}, "wait", "wait"},
+      {"... a likely gap inside", {Plain, 25, 0, true, true, true, Silence::Likely}, "gap inside 25", "gap inside 25"},
+      {"... a wide gap inside", {Plain, 25, 0, true, true, true, Silence::Wide}, "gap inside 25", "gap inside 25"},
+      {"... a gap one later", {Plain + Bytes{0x55}, 26, 0, true, true, true, Gap}, "gap inside 25", "gap inside 25"},
+      {"out of sync", {Plain, 25, 1, false, true, true, Gap}, "gap inside 25", "gap inside 25"},
+      {"... after a wide gap", {Plain, 25, 1, false, true, true, Gap, true}, "aligned", "gap inside 25"},
+      {"variant unknown, a gap after it", {Plain, 25, 1, false, false, true, Gap, true}, "wait", "wait"},
+      {"... one more character", {Plain + Bytes{0x0F}, 25, 1, false, false, true, Gap, true}, "gap inside 25", "gap inside 25"},
+      {"... a wide gap after it", {Plain, 25, 1, false, false, true, Gap, true, true}, "aligned", "gap inside 25"},
+      {"... and none before it", {Plain, 25, 1, false, false, true, Gap, false, true}, "gap inside 25", "gap inside 25"},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    CHECK(judged(row.given, stretching()) == row.stretching);
+    CHECK(judged(row.given) == row.first);
+  }
+}
+
+TEST_CASE("inside: two stretched frames with at most two others in between show a sender that stretches, for a hundred") {
+  const auto whole = [](Acquisition<Frame16> &acquisition) {
+    acquisition.gap(0, false);
+    acquisition.characters(25);
+    acquisition.gap(0, false);
+  };
+  for (unsigned between = 0; between < 5; between++) {
+    CAPTURE(between);
+    Acquisition<Frame16> acquisition = noneSeen();
+    acquisition.stretchedFrame();
+    CHECK_FALSE(acquisition.isStretched());
+    for (unsigned frame = 0; frame < between; frame++) {
+      whole(acquisition);
+    }
+    acquisition.stretchedFrame();
+    CHECK(acquisition.isStretched() == (between <= 2));
+  }
+  Acquisition<Frame16> acquisition = stretching();
+  for (unsigned frame = 0; frame < 99; frame++) {
+    whole(acquisition);
+  }
+  Acquisition<Frame16> late = acquisition;
+  late.stretchedFrame();
+  CHECK(late.isStretched());
+  whole(acquisition);
+  acquisition.stretchedFrame();
+  CHECK_FALSE(acquisition.isStretched());
 }
 
 TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant, and before the first frame") {

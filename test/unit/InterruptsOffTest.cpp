@@ -11,6 +11,9 @@ constexpr uint32_t GapUs = 6000;
 constexpr uint32_t PeriodUs = 25 * Feeder::CharacterUs + GapUs;
 constexpr unsigned Learnt = 8;  // frames
 
+// Half the time of a clock that wraps, and nearly all of it: frames that are lost in 36 and in 71 minutes.
+constexpr unsigned HalfClock = 36 * 60000 / 9, WholeClock = 71 * 60000 / 9;
+
 // A line whose frames come every 9 ms, and a port that hands over each character at once.
 struct Line : Feeder {
   unsigned number = 0;  // of the next frame
@@ -63,7 +66,7 @@ struct Line : Feeder {
 TEST_CASE("a frame that breaks off while interrupts are off is joined to no other, whatever its UART keeps") {
   for (const size_t kept : {3u, 32u}) {
     for (size_t at = 1; at + 3 < 25; at++) {
-      for (const unsigned lostFrames : {1u, 2u, 9u}) {
+      for (const unsigned lostFrames : {1u, 2u, 9u, HalfClock, WholeClock}) {
         INFO("kept ", kept, ", at ", at, ", lostFrames ", lostFrames);
         Line line;
         const Frames whole = line.whole(at, kept, lostFrames);
@@ -76,7 +79,7 @@ TEST_CASE("a frame that breaks off while interrupts are off is joined to no othe
 }
 
 TEST_CASE("interrupts go off between two frames, and three characters of the next are kept: two periods show that") {
-  for (const unsigned lostFrames : {2u, 9u}) {
+  for (const unsigned lostFrames : {2u, 9u, HalfClock, WholeClock}) {
     CAPTURE(lostFrames);
     Line line;
     const Frames whole = line.whole(0, 3, lostFrames);

@@ -30,16 +30,18 @@ LineTiming afterByte(uint32_t now, uint8_t characterTime = 120, uint8_t idleChar
 
 }  // namespace
 
-TEST_CASE("the shortest time from the last byte to the last empty call that proves a gap, by the bytes found after it") {
+TEST_CASE(
+    "the shortest time from the last byte to the last empty call that proves a gap, and a wide one, by the bytes found "
+    "after it") {
+  constexpr uint32_t LongestStop = 1500;  // us
   const struct {
     unsigned found;
-    unsigned idle;           // characters that the port waits for
-    unsigned us16, us24;     // at 100000 baud, for 16 and 24 channels
-  } rows[] = {
-      {1, 0, 4 * 120, 3 * 120},    {1, 1, 5 * 120, 4 * 120},     {1, 4, 8 * 120, 7 * 120},
-      {8, 1, 14 * 120, 11 * 120},  {9, 1, 15 * 120, 12 * 120},   {15, 1, 22 * 120, 18 * 120},
-      {16, 1, 22 * 120, 19 * 120}, {16, 4, 22 * 120, 19 * 120},  {25, 1, 22 * 120, 19 * 120},
-      {64, 1, 22 * 120, 19 * 120}, {5000, 4, 22 * 120, 19 * 120}};
+    unsigned idle;                // characters that the port waits for
+    unsigned gap16, gap24, wide;  // characters, for 16 and 24 channels; and LongestStop
+  } rows[] = {{1, 0, 2, 2, 2},      {16, 0, 2, 2, 2},     {64, 0, 2, 2, 2},     {1, 1, 5, 4, 3},
+              {1, 4, 8, 7, 6},      {8, 1, 14, 11, 17},   {9, 1, 15, 12, 19},   {15, 1, 22, 18, 31},
+              {16, 1, 22, 19, 33},  {16, 4, 22, 19, 36},  {25, 1, 22, 19, 33},  {64, 1, 22, 19, 33},
+              {5000, 4, 22, 19, 36}};
   for (const auto &row : rows) {
     for (const uint8_t characterTime : {uint8_t{120}, uint8_t{60}}) {
       for (const uint32_t start : {uint32_t{5000}, UINT32_MAX - 300}) {  // the clock wraps
@@ -51,14 +53,16 @@ TEST_CASE("the shortest time from the last byte to the last empty call that prov
           return is24 ? line.silenceBefore<sbus::Frame24>(row.found, later)
                       : line.silenceBefore<sbus::Frame16>(row.found, later);
         };
-        const uint32_t us16 = row.us16 * characterTime / 120;
-        const uint32_t us24 = row.us24 * characterTime / 120;
-        CHECK(silence(us16, false) == Silence::Unknown);
-        CHECK(silence(us16 + 1, false) == Silence::Gap);
-        CHECK(silence(us24, true) == Silence::Unknown);
-        CHECK(silence(us24 + 1, true) == Silence::Gap);
-        CHECK(silence(49999, false) == Silence::Gap);
-        CHECK(silence(50000, false) == Silence::Long);
+        for (const bool is24 : {false, true}) {
+          const uint32_t gapUs = (is24 ? row.gap24 : row.gap16) * characterTime;
+          const uint32_t wideUs = row.wide * characterTime + LongestStop;
+          CHECK(silence(gapUs, is24) == Silence::Unknown);
+          CHECK(silence(gapUs + 1, is24) == Silence::Gap);
+          CHECK(silence(wideUs, is24) == Silence::Gap);
+          CHECK(silence(wideUs + 1, is24) == Silence::Wide);
+          CHECK(silence(49999, is24) == Silence::Wide);
+          CHECK(silence(50000, is24) == Silence::Long);
+        }
       }
     }
   }
@@ -69,7 +73,7 @@ TEST_CASE("without an empty call since the last byte nothing is known, however l
     CAPTURE(us);
     LineTiming line = afterByte(1000000);
     CHECK(line.silenceBefore<sbus::Frame16>(25, 1000000 + us) == Silence::Unknown);
-    CHECK_FALSE(line.isSilent<sbus::Frame16>());
+    CHECK(line.silenceAfter<sbus::Frame16>() == Silence::Unknown);
   }
 }
 
@@ -96,25 +100,27 @@ TEST_CASE(
     const char *what;
     int found, missing;
     uint8_t idle;  // characters that the port waits for; 0: it hands over each at once
-    uint32_t us16, us24;
+    uint32_t us16, us24, stretched16, stretched24;
   } rows[] = {
-      {"3 of a frame that lacks 20", 3, 20, 0, 6 * 120, 5 * 120},
-      {"of a port that may hold back 16", 3, 20, 1, 27 * 120, 22 * 120},
-      {"and waits for four characters", 3, 20, 4, 30 * 120, 25 * 120},
-      {"no frame had begun", 3, 0, 0, 9000 + 6 * 120, 9000 + 5 * 120},
-      {"the end of one, and 12 of the next", 32, 20, 0, 9000 + 43 * 120, 9000 + 34 * 120},
-      {"the end of one, a whole one of 16 channels, and 2", 32, 5, 0, 2 * 9000 + 43 * 120, 9000 + 34 * 120},
+      {"3 of a frame that lacks 20", 3, 20, 0, 6 * 120, 5 * 120, 8 * 120, 8 * 120},
+      {"of a port that may hold back 16", 3, 20, 1, 27 * 120, 22 * 120, 41 * 120, 41 * 120},
+      {"and waits for four characters", 3, 20, 4, 30 * 120, 25 * 120, 44 * 120, 44 * 120},
+      {"no frame had begun", 3, 0, 0, 9000 + 6 * 120, 9000 + 5 * 120, 9000 + 8 * 120, 9000 + 8 * 120},
+      {"the end of one, and 12 of the next", 32, 20, 0, 9000 + 43 * 120, 9000 + 34 * 120, 9000 + 66 * 120,
+       9000 + 66 * 120},
+      {"the end of one, a whole one of 16 channels, and 2", 32, 5, 0, 2 * 9000 + 43 * 120, 9000 + 34 * 120,
+       2 * 9000 + 66 * 120, 9000 + 66 * 120},
   };
   for (const auto &row : rows) {
     for (const uint32_t start : {uint32_t{5000}, UINT32_MAX - 300}) {  // the clock wraps
       CAPTURE(row.what);
       CAPTURE(start);
-      const auto fallsShort = [&](uint32_t us, bool is24) {
+      const auto fallsShort = [&](uint32_t us, bool is24, bool isStretched = false) {
         LineTiming line = afterByte(start, 120, row.idle);
         line.empty(start + 700);
         line.silenceBefore<sbus::Frame16>(static_cast<unsigned>(row.found), start + 700 + us);
-        const bool falls = is24 ? line.fallsShort<sbus::Frame24>(row.found, row.missing, 9000)
-                                : line.fallsShort<sbus::Frame16>(row.found, row.missing, 9000);
+        const bool falls = is24 ? line.fallsShort<sbus::Frame24>(row.found, row.missing, 9000, isStretched)
+                                : line.fallsShort<sbus::Frame16>(row.found, row.missing, 9000, isStretched);
         CHECK((!falls || line.mayFallShort()));
         return falls;
       };
@@ -122,19 +128,48 @@ TEST_CASE(
       CHECK(fallsShort(row.us16 + 1, false));
       CHECK_FALSE(fallsShort(row.us24, true));
       CHECK(fallsShort(row.us24 + 1, true));
+      CHECK_FALSE(fallsShort(row.stretched16, false, true));
+      CHECK(fallsShort(row.stretched16 + 1, false, true));
+      CHECK_FALSE(fallsShort(row.stretched24, true, true));
+      CHECK(fallsShort(row.stretched24 + 1, true, true));
+      for (const uint32_t minutes : {36u, 71u}) {  // beyond the sign bit, and just before the clock wraps
+        CHECK(fallsShort(minutes * 60000000, false));
+        CHECK(fallsShort(minutes * 60000000, true, true));
+      }
     }
   }
   CHECK_FALSE(timing(5000).mayFallShort());
 }
 
-TEST_CASE("an empty call proves silence once a burst would have been handed over meanwhile") {
-  LineTiming line = afterByte(1000);
-  line.empty(1000 + 22 * 120);
-  CHECK_FALSE(line.isSilent<sbus::Frame16>());
-  line.empty(1000 + 22 * 120 + 1);
-  CHECK(line.isSilent<sbus::Frame16>());
-  line.silenceBefore<sbus::Frame16>(1, 9000);
-  CHECK_FALSE(line.isSilent<sbus::Frame16>());
+TEST_CASE("an empty call proves silence once a burst would have been handed over meanwhile, and a wide one later") {
+  const struct {
+    uint8_t idle;
+    uint32_t gap16, gap24, wide;  // us
+  } rows[] = {{0, 2 * 120, 2 * 120, 2 * 120 + 1500},
+              {1, 22 * 120, 19 * 120, 33 * 120 + 1500},
+              {4, 22 * 120, 19 * 120, 36 * 120 + 1500}};
+  for (const auto &row : rows) {
+    CAPTURE(unsigned{row.idle});
+    LineTiming line = afterByte(1000, 120, row.idle);
+    const auto after16 = [&](uint32_t us) {
+      line.empty(1000 + us);
+      return line.silenceAfter<sbus::Frame16>();
+    };
+    const auto after24 = [&](uint32_t us) {
+      line.empty(1000 + us);
+      return line.silenceAfter<sbus::Frame24>();
+    };
+    CHECK(after16(row.gap16) == Silence::Unknown);
+    CHECK(after16(row.gap16 + 1) == Silence::Gap);
+    CHECK(after24(row.gap24) == Silence::Unknown);
+    CHECK(after24(row.gap24 + 1) == Silence::Gap);
+    CHECK(after16(row.wide) == Silence::Gap);
+    CHECK(after16(row.wide + 1) == Silence::Wide);
+    CHECK(after24(row.wide + 1) == Silence::Wide);
+    CHECK(after16(60000) == Silence::Wide);  // the next character tells that it was long
+    line.silenceBefore<sbus::Frame16>(1, 90000);
+    CHECK(line.silenceAfter<sbus::Frame16>() == Silence::Unknown);
+  }
 }
 
 TEST_CASE(
@@ -219,5 +254,30 @@ TEST_CASE(
         CHECK(silence(60000) == Silence::Long);
       }
     }
+  }
+}
+
+TEST_CASE("a port that tells when the line was idle: its bytes took two characters' time each, the rest was silence") {
+  const struct {
+    unsigned found;
+    uint32_t us, silence;  // between two calls
+  } rows[] = {{1, 240, 0}, {1, 241, 1}, {16, 3840, 0}, {16, 3841, 1}, {25, 6000, 0}, {25, 9000, 3000}, {25, 0, 0}};
+  for (const auto &row : rows) {
+    for (const uint32_t before : {uint32_t{5000}, UINT32_MAX - 100}) {  // the clock wraps
+      INFO("found ", row.found, ", us ", row.us);
+      CHECK(timing(0).silence(row.found, before + row.us, before) == row.silence);
+      CHECK(timing(0, 60).silence(row.found, before + row.us / 2, before) == row.silence / 2);
+    }
+  }
+  CHECK(timing(0).shortestGap() == 240);
+  CHECK(timing(0, 60).shortestGap() == 120);
+}
+
+TEST_CASE("a frame of a known period may seem to be interrupted for all but 2.5 ms of it, otherwise for 1.5 ms") {
+  const uint32_t rows[][2] = {{0, 1500},    {1500, 1500}, {4000, 1500},       {4001, 1501},
+                              {6000, 3500}, {9000, 6500}, {UINT32_MAX, 1500}};  // period, bearable
+  for (const auto &row : rows) {
+    CAPTURE(row[0]);
+    CHECK(LineTiming::bearable(row[0]) == row[1]);
   }
 }
