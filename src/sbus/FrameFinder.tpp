@@ -81,9 +81,9 @@ void FrameFinderOf<Format, Events>::checkFound() {
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
   const int filled = _buffer.filled();
-  if (gap == Silence::Wide && filled < Size && _buffer.isHeader(0)) {
+  if (gap == Silence::Wide && filled < Size && _buffer.isHeader(0) && !isDue()) {
     uint8_t *const beginning = _buffer.bytes();
-    discard(filled);  // no frame has such a gap inside
+    discard(filled);
     _buffer.restart(beginning);
   }
   _buffer.markGap(gap);

@@ -272,12 +272,3 @@ TEST_CASE("a port that tells when the line was idle: its bytes took two characte
   CHECK(timing(0).shortestGap() == 240);
   CHECK(timing(0, 60).shortestGap() == 120);
 }
-
-TEST_CASE("a frame of a known period may seem to be interrupted for all but 2.5 ms of it, otherwise for 1.5 ms") {
-  const uint32_t rows[][2] = {{0, 1500},    {1500, 1500}, {4000, 1500},       {4001, 1501},
-                              {6000, 3500}, {9000, 6500}, {UINT32_MAX, 1500}};  // period, bearable
-  for (const auto &row : rows) {
-    CAPTURE(row[0]);
-    CHECK(LineTiming::bearable(row[0]) == row[1]);
-  }
-}
