@@ -36,6 +36,7 @@ class Sketch {
     startAnew();
     _frames = 0;
     _call = _now;
+    std::fill(_waitingNotBy.begin(), _waitingNotBy.end(), _now);  // of what waits now, no time is known
   }
 
   bool isAny() const { return _calls == Calls::Any || _calls == Calls::Unsteady; }
@@ -45,12 +46,14 @@ class Sketch {
     _ring++;
     if (_waiting.size() < 64) {
       _waiting.push_back(byte);
+      _waitingNotBy.push_back(_call);
     }
   }
 
   // Takes bytes from the port, as a sketch must not.
   void lose(size_t count) {
     _waiting.resize(_waiting.size() - std::min(count, _waiting.size()));
+    _waitingNotBy.resize(_waiting.size());
     _hasLost = true;
   }
 
@@ -66,7 +69,6 @@ class Sketch {
     if (_waiting.empty() && _calls == Calls::ByEvents) {
       return;
     }
-    _callBefore = _call;
     _call = _now;
     if (_waiting.empty()) {
       check(_finder.idle(_now));
@@ -96,6 +98,7 @@ class Sketch {
       const uint8_t *const bytes = _waiting.data() + at;
       std::memcpy(_finder.space(), bytes, count);
       _fed.insert(_fed.end(), bytes, bytes + count);
+      _notBy.insert(_notBy.end(), _waitingNotBy.data() + at, _waitingNotBy.data() + at + count);
       at += count;
       check(_finder.received(static_cast<int>(count), static_cast<int>(_waiting.size() - at)));
       if (split != 0 || (isAny() && (choice & 8) != 0)) {
@@ -104,6 +107,7 @@ class Sketch {
       }
     }
     _waiting.clear();
+    _waitingNotBy.clear();
     if (isAny() ? (choice & 16) != 0 : hasIdle() && isIdle) {
       check(_finder.ended());
       if ((choice & 32) != 0) {
@@ -115,6 +119,7 @@ class Sketch {
  private:
   void startAnew() {
     _fed.clear();
+    _notBy.clear();
     _afterFrame = 0;
     _discardedAtStart = _finder.counters().discardedBytes;
     _framesAtStart = _finder.counters().frames;
@@ -143,13 +148,14 @@ class Sketch {
     require(delivered == frame, "received() and idle() return frame()");
     require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
     require(frame[0] == 0x0F && sbus::isFlagsByte(frame[Size - 2]), "a delivered frame is a frame");
-    require(isUnsteady() || static_cast<int32_t>(_callBefore - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0,
-            "no frame is too young");
     require(Size == 36 ? frame[Size - 1] == 0 : sbus::isEndByte(frame[Size - 1]), "a delivered frame ends as one");
     require(_fed.size() >= heldBytes() + Size, "a frame's bytes have come since the last break");
     const size_t begin = _fed.size() - heldBytes() - Size;
     require(begin >= _afterFrame, "frames do not overlap");
     require(std::memcmp(_fed.data() + begin, frame, Size) == 0, "a delivered frame stands in the line, byte for byte");
+    const uint32_t notBy = _notBy[begin + Size - 1];
+    require(isUnsteady() || static_cast<int32_t>(notBy - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0,
+            "no frame is too young");
     _afterFrame = begin + Size;
   }
 
@@ -160,11 +166,13 @@ class Sketch {
   const Calls _calls;
   sbus::FrameFinderOf<Format, Events> _finder;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
-  uint32_t _call = 0, _callBefore = 0;
+  uint32_t _call = 0;  // the time of the newest call
   unsigned _ring = 0;  // bytes that have come
   std::vector<uint8_t> _waiting;
   bool _hasLost = false;  // some of those that wait
-  std::vector<uint8_t> _fed;  // since the last break
+  std::vector<uint32_t> _waitingNotBy;  // for each, the time of the last call that did not find it
+  std::vector<uint8_t> _fed;            // since the last break
+  std::vector<uint32_t> _notBy;         // likewise
   size_t _afterFrame = 0;
   uint32_t _frames = 0;
   uint32_t _framesAtStart = 0;

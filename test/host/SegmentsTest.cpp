@@ -23,8 +23,8 @@ TEST_CASE("characters that belong to no frame are shown between the frames, with
       {"a character with an error in a frame", good, 9, "parity or framing error (byte 9)"},
       {"its header", good, 0, "parity or framing error (byte 0)"},
       {"its end byte", good, 24, "parity or framing error (byte 24)"},
-      {"a byte is missing", shortened, SIZE_MAX, "no end byte"},
-      {"unused flags", flags, SIZE_MAX, "unused flags set, no end byte (byte 10)"},
+      {"a byte is missing", shortened, SIZE_MAX, "a gap inside"},
+      {"unused flags", flags, SIZE_MAX, "unused flags set, a gap inside (byte 10)"},
       {"one character, with an error", {0x55}, 0, "parity or framing error"},
   };
   for (const auto &each : cases) {

@@ -92,7 +92,6 @@ TEST_CASE("each cause of rejection has its counter, and discarded bytes are coun
   } rows[] = {
       {"end byte 55", bytesOf(withByte(plainFrame(5), 24, 0x55)), 1, 0, 0},
       {"flags bit 4", bytesOf(withByte(plainFrame(5), 23, 0x10)), 0, 1, 0},
-      {"a byte is missing: the next header stands at the end", without(plainFrame(5), 7), 1, 0, 0},
       {"a byte too many: CH16 stands at the flags", with(plainFrame(5), 7, 0xA5), 0, 1, 0},
       {"the end byte of another variant, and then noise", bytesOf(plainFrame(5, 0x04)) + Bytes{0xA5}, 0, 0, 1},
       {"37 bytes without an end at 24", part(plainFrame(5), 0, 23) + Bytes(14, 0x20), 1, 0, 0},
@@ -112,6 +111,22 @@ TEST_CASE("each cause of rejection has its counter, and discarded bytes are coun
       CHECK(counters.rejectedByFlags == row.byFlags);
       CHECK(counters.rejectedByLength == row.byExtra);
       CHECK(counters.discardedBytes == row.bytes.size());
+    }
+  }
+}
+
+TEST_CASE("a frame that lacks a byte is rejected by its end, which is the next header, or before a wide gap for that gap") {
+  for (const size_t burst : {1u, 16u}) {
+    for (const uint32_t gapUs : {Feeder::GapUs, 8000u}) {
+      INFO("burst ", burst, ", gapUs ", gapUs);
+      Feeder line;
+      line.lock();
+      CHECK(line.feed(without(plainFrame(5), 7), burst).empty());
+      CHECK(line.wait(gapUs).feed(bytesOf(plainFrame(6)), burst) == Frames{plainFrame(6)});
+      const bool isWide = burst == 1 || gapUs == 8000;  // of 16 characters, a port hands over later
+      CHECK(line.counted().rejectedByEnd == !isWide);
+      CHECK(line.counted().rejectedByLength == isWide);
+      CHECK(line.counted().discardedBytes == 24);
     }
   }
 }

@@ -220,6 +220,21 @@ TEST_CASE("a port that calls back, and does not tell when its line was idle, wor
   }
 }
 
+TEST_CASE("... and a frame that is missing on its line does not cost the next one") {
+  for (unsigned missing = 1; missing < 5; missing++) {
+    CAPTURE(missing);
+    Watching<UnknownCallingPort> board;
+    board.wholes(10);
+    board.sbus.parseSBusFrame();  // finds nothing
+    board.take();
+    board.pass(missing * 9 * Ms);
+    board.wholes(2);
+    board.check();
+    CHECK(board.frames == board.sent.size());
+    CHECK(board.sbus.counters().shortfalls == 0);
+  }
+}
+
 TEST_CASE("begin() within a frame: the port's ring begins anew, the rest of the frame is no part of one, and all goes on") {
   for (const Payload payload : Payloads) {
     for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {

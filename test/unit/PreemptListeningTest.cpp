@@ -28,19 +28,20 @@ class Port : public HardwareSerial {
   void begin(unsigned long) override {}
   void begin(unsigned long, uint32_t) override {
     const Work work(*this);
-    _first = _count = 0;
+    _first = 0;
+    _state.rx_count = 0;
     _isArmed = true;
   }
   void begin(unsigned long baud, uint32_t config, uint8_t *, size_t) { begin(baud, config); }
   void end() override {
     const Work work(*this);
-    _count = 0;
+    _state.rx_count = 0;
   }
   void onReceive(Callback callback) {
     const Work work(*this);
     _callback = callback;
   }
-  int available() override { return static_cast<int>(_count); }
+  int available() override { return static_cast<int>(_state.rx_count); }
   int peek() override { return -1; }
   int read() override {
     uint8_t value;
@@ -50,7 +51,8 @@ class Port : public HardwareSerial {
     const Work work(*this);
     _isArmed = true;
     size_t count = 0;
-    for (; count < size && _count > 0; count++, _count--) {
+    for (; count < size && _state.rx_count > 0; count++) {
+      _state.rx_count = _state.rx_count - 1;
       buffer[count] = _buffer[_first++ % sizeof _buffer];
     }
     return static_cast<int>(count);
@@ -66,8 +68,11 @@ class Port : public HardwareSerial {
       _lateSize = size;
       return;
     }
+    // The first half of a frame fills a half of the port's ring, the other part ends at an idle line.
+    _state.rx_index = static_cast<uint16_t>(size);
     for (size_t i = 0; i < size; i++) {
-      _buffer[(_first + _count++) % sizeof _buffer] = bytes[i];
+      _buffer[(_first + _state.rx_count) % sizeof _buffer] = bytes[i];
+      _state.rx_count = _state.rx_count + 1;
     }
     if (_isArmed) {
       _isArmed = false;
@@ -76,6 +81,8 @@ class Port : public HardwareSerial {
       }
     }
   }
+
+  stm32l0_uart_t &state() { return _state; }
 
  private:
   struct Work {
@@ -97,13 +104,18 @@ class Port : public HardwareSerial {
 
   uint8_t _buffer[64] = {};
   size_t _first = 0;
-  volatile size_t _count = 0;
+  stm32l0_uart_t _state{};
   bool _isArmed = true;
   volatile bool _isWorking = false;
   const uint8_t *_late = nullptr;
   volatile size_t _lateSize = 0;
   Callback _callback;
 };
+
+// By this the library knows the core's state of the port.
+stm32l0_uart_t *uartOf(Port &port) {
+  return &port.state();
+}
 
 // In sync with a line of frames, 9 ms apart.
 struct Scene {

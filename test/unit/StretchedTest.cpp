@@ -89,7 +89,8 @@ void joinParts(std::initializer_list<uint32_t> periodsUs) {
               found = found + line.feed(part(sent.back(), 12), port.burst);
               found = found + line.wait(LongUs - 1).waited;
             }
-            // The connector opens and closes again and again, always at the same place of a frame. loop() polls each 500 us.
+            // The connector opens and closes again and again, always at the same place of a frame. loop() polls each
+            // 500 us.
             for (unsigned cut = 0; cut < 4; cut++) {
               found = found + line.feed(part(neutralFrame(line.number), 0, place), port.burst);
               const uint32_t openUs = periods * periodUs;
@@ -104,7 +105,9 @@ void joinParts(std::initializer_list<uint32_t> periodsUs) {
                 wholes();
               }
             }
-            const auto wrong = [&](const Frame &frame) { return std::find(sent.begin(), sent.end(), frame) == sent.end(); };
+            const auto wrong = [&](const Frame &frame) {
+              return std::find(sent.begin(), sent.end(), frame) == sent.end();
+            };
             CHECK(std::none_of(found.begin(), found.end(), wrong));
             CHECK(found.size() + 4 >= sent.size());
             CHECK(found.back() == sent.back());
@@ -163,7 +166,8 @@ TEST_CASE("frames with a gap after each character are delivered from the second 
   }
 }
 
-TEST_CASE("a stretched frame begins in sync, or after a wide gap; a gap that is not wide may lie within another frame") {
+TEST_CASE(
+    "a stretched frame begins in sync, or after a wide gap; a gap that is not wide may lie within another frame") {
   const struct {
     const char *what;
     Bytes before;     // characters that belong to no frame, and out of sync
