@@ -141,7 +141,7 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
     _finder.poll(bytes, now);
   }
   for (int waiting = found; waiting > 0;) {
-    const int count = read(split != 0 ? split : waiting);
+    const int count = read(split != 0 && split < waiting ? split : waiting);
     if (count <= 0) {
       return;  // the port fails
     }
@@ -154,7 +154,7 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
       split = 0;
     }
   }
-  if (_port.isIdle()) {
+  if (_port.isIdle() && bytes <= _port.half()) {
     if (const uint8_t *const frame = _finder.ended()) {
       judge(frame);
     }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int JudgedWorth = 4;           // headers: one that judge() rejects costs as much as four without an end byte
 constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
+constexpr uint32_t Unsteady = 2500;      // us by which a frame may come late; parts of two come a period late, 4 ms or more
 constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter was measured between late polls
 
 // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
@@ -81,8 +82,10 @@ void FrameFinderOf<Format, Events>::checkFound() {
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
   const int filled = _buffer.filled();
-  if (gap == Silence::Wide && filled < Size && _buffer.isHeader(0) && !isDue()) {
+  if (gap == Silence::Wide && filled != 0 && filled < Size && _buffer.isHeader(0)) {
     uint8_t *const beginning = _buffer.bytes();
+    countUp(_counters.rejectedByLength);
+    Events::rejected(0, Rejection::GapInside);
     discard(filled);
     _buffer.restart(beginning);
   }
@@ -270,10 +273,12 @@ template <typename Format, typename Events>
 SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t variant) {
   const int offBy = start - _expectedAt;
   const bool isFirst = start == 0;
+  const bool isInSync = offBy == 0 && _aligned;
+  const bool isInTime = _completeAfter - _frameTime < _counters.period + Unsteady;
   return rules::judge(
       Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
-                        isFirst ? _buffer.inside() : Silence::Unknown, isFirst && _buffer.beginsWide(), variant, _variant,
-                        offBy, offBy == 0 && _aligned},
+                        isFirst ? _buffer.inside() : Silence::Unknown, isFirst && (isInSync && _counters.period != 0 ? isInTime : _buffer.beginsWide()), variant,
+                        _variant, offBy, isInSync},
       _acquisition);
 }
 

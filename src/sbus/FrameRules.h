@@ -59,7 +59,7 @@ struct Candidate {
   int gapAt;             ///< index of the first character after the newest gap; may lie outside
   Silence gap;           ///< how certain that gap is: Likely, Gap or Wide
   Silence inside;        ///< the longest gap inside before that one; Unknown: none
-  bool beginsWide;       ///< a wide gap comes before it
+  bool isPlaced;         ///< a wide gap comes before it, or it is in sync and in time: parts of two frames come later
   uint8_t variant;       ///< of its end byte, a row of LineVariants
   uint8_t lineVariant;   ///< of the line, or UnknownVariant
   int offBy;             ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
@@ -95,11 +95,11 @@ SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
   return (c.gapAt > 0 && c.gapAt < Format::Size) || c.inside != Silence::Unknown;
 }
 
-/// Returns true if its sender may have stretched it: it begins where a frame is due, or after a wide gap, and no gap
-/// inside is wide. Parts of two frames that fit together are a frame period apart.
+/// Returns true if its sender may have stretched it: it begins where and when a frame is due, or after a wide gap, and no
+/// gap inside is wide. Parts of two frames that fit together are a frame period apart.
 template <typename Format>
 SBUS_IN_LINE bool mayBeStretched(const Candidate<Format> &c) {
-  return (c.isInSync || c.beginsWide) && c.inside < Silence::Wide && (c.gap < Silence::Wide || c.gapAt >= Format::Size);
+  return c.isPlaced && c.inside < Silence::Wide && (c.gap < Silence::Wide || c.gapAt >= Format::Size);
 }
 
 /// Returns true if a header follows it; 2F counts on lines with such frames (needed where the gap before is not

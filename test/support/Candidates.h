@@ -26,7 +26,7 @@ struct Case {
     const sbus::Silence gap = isGapWide      ? sbus::Silence::Wide
                               : isGapCertain ? sbus::Silence::Gap
                                              : sbus::Silence::Likely;
-    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, inside, beginsWide, sbus::variantOfEnd(bytes[24]),
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, inside, beginsWide || (isInSync && offBy == 0), sbus::variantOfEnd(bytes[24]),
             hasLineVariant ? sbus::variantOfEnd(bytes[24]) : sbus::UnknownVariant, offBy, isInSync && offBy == 0};
   }
 };

@@ -30,7 +30,7 @@ class Port : public HardwareSerial {
     const Work work(*this);
     _first = 0;
     _state.rx_count = 0;
-    _isArmed = true;
+    _state.rx_event = true;
   }
   void begin(unsigned long baud, uint32_t config, uint8_t *, size_t) { begin(baud, config); }
   void end() override {
@@ -49,7 +49,7 @@ class Port : public HardwareSerial {
   }
   int read(uint8_t *buffer, size_t size) override {
     const Work work(*this);
-    _isArmed = true;
+    _state.rx_event = true;
     size_t count = 0;
     for (; count < size && _state.rx_count > 0; count++) {
       _state.rx_count = _state.rx_count - 1;
@@ -74,8 +74,8 @@ class Port : public HardwareSerial {
       _buffer[(_first + _state.rx_count) % sizeof _buffer] = bytes[i];
       _state.rx_count = _state.rx_count + 1;
     }
-    if (_isArmed) {
-      _isArmed = false;
+    if (_state.rx_event) {
+      _state.rx_event = false;
       if (!isLost) {
         _callback.call();
       }
@@ -105,7 +105,6 @@ class Port : public HardwareSerial {
   uint8_t _buffer[64] = {};
   size_t _first = 0;
   stm32l0_uart_t _state{};
-  bool _isArmed = true;
   volatile bool _isWorking = false;
   const uint8_t *_late = nullptr;
   volatile size_t _lateSize = 0;

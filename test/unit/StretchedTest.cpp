@@ -63,7 +63,8 @@ void joinParts(std::initializer_list<uint32_t> periodsUs) {
     for (const uint32_t periodUs : periodsUs) {
       for (const unsigned periods : {1u, 2u, 3u}) {
         for (const bool isStretched : {false, true}) {
-          for (size_t place = 1; place < 25; place++) {
+          // A header and the 24 characters of another frame after its header are that frame.
+          for (size_t place = periodUs < 6000 ? 2 : 1; place < 25; place++) {
             INFO("idle ", unsigned{port.idle}, ", periodUs ", periodUs, ", periods ", periods, ", isStretched ",
                  isStretched, ", place ", place);
             Line line;
@@ -88,6 +89,9 @@ void joinParts(std::initializer_list<uint32_t> periodsUs) {
               line.wait(port.insideUs);
               found = found + line.feed(part(sent.back(), 12), port.burst);
               found = found + line.wait(LongUs - 1).waited;
+            }
+            for (unsigned i = 0; isStretched && i < 10; i++) {
+              wholes();  // after these silences the measured period becomes the line's again
             }
             // The connector opens and closes again and again, always at the same place of a frame. loop() polls each
             // 500 us.
@@ -152,7 +156,9 @@ TEST_CASE("frames with a gap after each character are delivered from the second 
         CHECK(line.wait(LeastUs).waited.empty());
         CHECK(line.feed({byte}).empty());
       }
-      const Frames frames = number == 0 ? Frames{} : Frames{neutralFrame(number)};
+      // On a line in sync they come later than frames did: until that is seen, they are not in time.
+      const bool isMissed = number == 0 || (isKnown && number == 1);
+      const Frames frames = isMissed ? Frames{} : Frames{neutralFrame(number)};
       if (isKnown || number >= 2) {
         CHECK(line.wait(LeastUs).waited == frames);
         CHECK(line.wait(WideUs).waited.empty());
