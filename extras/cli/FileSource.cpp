@@ -139,6 +139,7 @@ FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
     source.settings = read.settings;
     source.startUs = read.startUs;
     source.hasTimes = read.hasTimes;
+    source.isRead = read.isRead;
   }
   if (kind != FileKind::Rows && baud > 0) {
     source.settings = line::LineSettings();

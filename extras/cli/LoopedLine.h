@@ -28,6 +28,7 @@ class LoopedLine : public line::Line {
   }
   uint64_t knownUs(uint64_t nowUs) const override { return _shiftUs + _line->knownUs(nowUs - _shiftUs); }
   std::string failure() const override { return _line->failure(); }
+  std::string news() override { return _line->news(); }
 
  private:
   const std::function<std::unique_ptr<line::Line>()> _open;

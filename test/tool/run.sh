@@ -260,7 +260,7 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-for part in wire hex files kinds counts send bridge watch compare json summary stream systems telemetry languages calibrate \
+for part in wire hex files kinds counts send bridge stalls watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
 done

@@ -94,7 +94,7 @@ CH1\n2048\n|:2: "2048" is not a value for column 1; 0 to 2047 is expected
 CH1\n1.5\n|:2: "1.5" is not a value for column 1; 0 to 2047 is expected
 CH1,failsafe\n1,2\n|:2: "2" is not a value for column 2; 0 or 1 is expected
 time,CH1\nsoon,2\n|:2: "soon" is not a value for column 1; a time in seconds is expected
-time,CH1\n2,2\n1,2\n|:3: its time is not after that of the previous row
+time,CH1\n2,2\n1,2\n|:3: its time is before that of the previous row
 END
 while IFS='|' read -r arguments message; do
   # shellcheck disable=SC2086  # the arguments are words

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <ctime>
 
 #include "line/system/System.h"
 
@@ -49,6 +50,17 @@ bool isReadable(int file, int ms) {
   FD_ZERO(&files);
   FD_SET(file, &files);
   return select(file + 1, &files, nullptr, nullptr, ms < 0 ? nullptr : &time) > 0;
+}
+
+uint64_t clockUs() {
+#if defined(__linux__)
+  constexpr clockid_t Clock = CLOCK_BOOTTIME;
+#else
+  constexpr clockid_t Clock = CLOCK_MONOTONIC;  // macOS: goes on while the PC sleeps
+#endif
+  timespec time{};
+  clock_gettime(Clock, &time);
+  return static_cast<uint64_t>(time.tv_sec) * 1000000 + static_cast<uint64_t>(time.tv_nsec) / 1000;
 }
 
 int openTemporary() {

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -50,6 +51,10 @@ void onStop(void (*handler)(int signal));
 // Waits up to `ms`; if negative, without limit. Returns true if read() would not wait; a signal (on Windows: 50 ms)
 // ends the wait early with false.
 bool isReadable(int file, int ms);
+
+// Returns microseconds of a clock that all programs of this PC share, never goes back, and goes on while the PC sleeps:
+// the age of a frame in a pipe is a difference of two of them. The date would jump when it is set.
+uint64_t clockUs();
 
 // Opens a file without a name, which vanishes when it is closed. On failure returns -1 and sets errno.
 int openTemporary();

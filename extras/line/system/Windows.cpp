@@ -7,6 +7,7 @@
 #include <windows.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -97,6 +98,11 @@ bool isReadable(int file, int ms) {
     Sleep(1);
   }
   return true;
+}
+
+uint64_t clockUs() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();  // QueryPerformanceCounter()
+  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
 // std::tmpfile() would use the drive's root, where few users may write.
