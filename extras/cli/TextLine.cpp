@@ -226,6 +226,8 @@ void TextLine::takeEnd() {
   }
   const std::string unread = _lines.failure();
   const std::string missing = _reader->finish();
+  const std::string news = _reader->news();
+  _news += news.empty() ? "" : _name + ": " + news;
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);
   } else if (!_any) {

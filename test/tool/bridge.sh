@@ -284,7 +284,8 @@ until_true has_lines 100 "$work/hex"
 kill -INT "$player"
 wait "$player" "$reader"
 "$SBUS" hex sim:32 --simulated-time --seconds 80 --values | grep ' extra ' | cut -c15- >"$work/wanted"
-grep ' extra ' "$work/hex" | cut -c15- >"$work/extra"
+# On a busy PC one may have become old, and has both flags.
+grep ' extra ' "$work/hex" | cut -c15- | grep -v '^2F.* 0C 00  extra ' >"$work/extra"
 [ "$(wc -l <"$work/extra")" -gt 20 ] && ! grep -vxFf "$work/wanted" "$work/extra"
 verdict $? "frames with header 2F are sent unchanged: $(wc -l <"$work/extra") frames"
 

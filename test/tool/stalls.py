@@ -17,7 +17,7 @@ import threading
 import time
 import tty
 
-OLD = 0.25  # s: 0.1 s, and what a busy PC adds before the device has read
+OLD = 0.4  # s: 0.1 s, and what a busy PC adds before the device has read
 FLY = "import sys\nfor line in sys.stdin:\n    sys.stdout.write(line)\n    sys.stdout.flush()\n"
 OWN = """import json, sys
 for line in sys.stdin:

@@ -145,8 +145,8 @@ bool Bridge::fill(uint64_t nowUs) {
   return true;
 }
 
-// Sends the newest values of the chosen receiver; `last` is the frame's last character, and a frame with header 2F has its own `flags`. Returns true if nothing
-// delayed them.
+// Sends the newest values of the chosen receiver; `last` is the frame's last character, and a frame with header 2F has
+// its own `flags`. Returns true if nothing delayed them.
 bool Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   const uint64_t nowUs = last.endUs;
   Receiver &receiver = *_receivers[_chosen];

@@ -43,8 +43,9 @@ bool FrameOutput::isOld(const BridgedFrame &frame) {
     return false;
   }
   if (_old++ == 0) {
+    const bool isOtherClock = frame.sinceUs > line::clockUs();
     std::fprintf(stderr, "a frame is older than 0.1 s: such frames are left out%s\n",
-                 frame.sinceUs > line::clockUs() ? ". It was read by another PC's clock: remove read_us from its line" : "");
+                 isOtherClock ? ". It was read by another PC's clock: remove read_us from its line" : "");
   }
   return true;
 }

@@ -73,6 +73,18 @@ int openTemporary() {
   return file;
 }
 
+bool syncFile(int file) {
+  return fsync(file) == 0 || errno == EINVAL || errno == EINTR;
+}
+
+void syncFolder(const std::string &name) {
+  const int folder = open(name.empty() ? "." : name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (folder >= 0) {
+    fsync(folder);
+    close(folder);
+  }
+}
+
 // A name that does not exist is a port if it begins with /dev/, otherwise a missing file.
 bool isPortName(const std::string &name) {
   struct stat status;

@@ -59,6 +59,13 @@ uint64_t clockUs();
 // Opens a file without a name, which vanishes when it is closed. On failure returns -1 and sets errno.
 int openTemporary();
 
+// Waits until the disk itself has what was written to the file. Returns false and sets errno on failure; a pipe or a
+// file that only exists in memory is no failure.
+bool syncFile(int file);
+
+// Does the same for the entries of a folder; "" is the current one. Windows writes them by itself.
+void syncFolder(const std::string &name);
+
 // Returns true for the name of a port, whether or not it exists.
 bool isPortName(const std::string &name);
 

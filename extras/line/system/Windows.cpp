@@ -115,6 +115,13 @@ int openTemporary() {
   return open(name, _O_RDWR | _O_TEMPORARY | CloseOnExec);
 }
 
+bool syncFile(int file) {
+  return _commit(file) == 0 || errno == EBADF;
+}
+
+void syncFolder(const std::string & /*name*/) {
+}
+
 bool isPortName(const std::string &name) {
   const std::string device = name.rfind("\\\\.\\", 0) == 0 ? name.substr(4) : name;
   return device.size() > 3 && _strnicmp(device.c_str(), "COM", 3) == 0 &&
