@@ -302,7 +302,9 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs());
+    const bool isSent = _given.rows == Rows::Sent && !_given.csv.given();  // as frames
+    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs(),
+                                        port.characterUs(), isSent || file().kind != FileKind::Rows);
   }
   return openOnce(port);
 }
