@@ -23,17 +23,13 @@ class Destination {
   void finish() const;
 
   // Returns true if bytes that were sent have not left yet, or the reader of a pseudo-terminal has not read them.
-  bool holdsBytes(uint64_t nowUs) { return _terminal ? _terminal->holdsBytes() : _port->holdsBytes(nowUs); }
+  bool holdsBytes(uint64_t nowUs);
 
-  // Returns true if this may be unknown: see line::Unread.
-  bool mayMissReads(uint64_t nowUs) { return _terminal || _port->mayMissReads(nowUs); }
+  // Returns true if this may be wrong: see line::Unread.
+  bool mayMissReads(uint64_t nowUs);
 
   // Discards these bytes, if the port can.
-  void discard(uint64_t nowUs) {
-    if (_port) {
-      _port->discard(nowUs);
-    }
-  }
+  void discard(uint64_t nowUs);
 
   // Sends without waiting. Reports on standard error that the port is gone, or back. Returns the number of bytes sent.
   size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes);

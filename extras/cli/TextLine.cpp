@@ -15,7 +15,6 @@ namespace tool {
 namespace {
 
 constexpr size_t Ahead = 2;                  // characters: knownUs() needs the next one
-constexpr uint64_t StartMostUs = 1000000;    // a live text that begins later was joined in its middle
 constexpr uint64_t OldUs = 250000;  // a live text's characters that are this much older than its newest are left out
 constexpr int64_t JitterUs = 20000;  // a pipe's: a live text's newest character is played so much later at most
 
@@ -154,12 +153,7 @@ void TextLine::fill(uint64_t nowUs) {
 
 // Plays a live text's newest character at once, and those before it as much earlier as they are older.
 void TextLine::followLive(uint64_t nowUs) {
-  const auto now = static_cast<int64_t>(nowUs);
-  if (!_begunUs) {
-    _begunUs = nowUs;
-    _shiftUs = _firstUs > nowUs + StartMostUs ? now - static_cast<int64_t>(_firstUs) : 0;
-  }
-  const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - now;
+  const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - static_cast<int64_t>(nowUs);
   _shiftUs -= std::max<int64_t>(0, aheadUs) + std::min<int64_t>(0, aheadUs + JitterUs);
   while (!_waiting.empty() && _waiting.front().endUs + OldUs < _newestUs) {
     _waiting.pop_front();

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -164,8 +163,7 @@ class TextLine : public line::Line {
   uint64_t _lastUs = 0;  // when the last one was played
   bool _any = false;     // there were characters between _fromUs and _toUs
   bool _ended = false;
-  int64_t _shiftUs = 0;              // from the text's times to the program's
-  std::optional<uint64_t> _begunUs;  // when a live text was first read
+  int64_t _shiftUs = 0;  // from the text's times to the program's
   std::string _failure;
   std::string _news;
 };

@@ -15,25 +15,8 @@ class SendingPort {
   // Writes without waiting; bytes are lost if the port is full or gone. Returns the number written.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
-  // Returns true if bytes that were written have not left yet. See PortFile.
-  bool holdsBytes(uint64_t nowUs) {
-    PortFile *const port = _port.at(nowUs);
-    return port != nullptr && port->holdsBytes();
-  }
-
-  // Returns true if holdsBytes() may be wrong: see Unread.
-  bool mayMissReads(uint64_t nowUs) {
-    PortFile *const port = _port.at(nowUs);
-    return port != nullptr && port->mayMissReads();
-  }
-
-  // Discards these bytes, if the port can.
-  void discard(uint64_t nowUs) {
-    PortFile *const port = _port.at(nowUs);
-    if (port != nullptr) {
-      port->discard();
-    }
-  }
+  // Returns the port; null while it is gone.
+  PortFile *at(uint64_t nowUs) { return _port.at(nowUs); }
 
   // See Line::news().
   std::string news() { return _port.news(); }
