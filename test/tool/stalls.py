@@ -244,6 +244,34 @@ def slow(chain, size, period):
     return chain.figures()
 
 
-cases = {"stop": stop, "kill": kill, "queue": queue, "full": full, "slow": slow}
+def times(*arguments):
+    """A program that is stopped again and again writes times that rise."""
+    receiver = Receiver()
+    program = subprocess.Popen([sys.argv[1], arguments[0], receiver.name_, *arguments[1:]], stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL, text=True)
+    receiver.start()
+    lines = []
+    threading.Thread(target=lambda: lines.extend(program.stdout), daemon=True).start()
+    until("the first lines", lambda: len(lines) > 30)
+    for frames in (3, 17, 40, 17, 300):
+        program.send_signal(signal.SIGSTOP)
+        after = len(receiver.times)
+        until("the line", lambda: len(receiver.times) >= after + frames)
+        program.send_signal(signal.SIGCONT)
+        after = len(lines)
+        until("the next lines", lambda: len(lines) >= after + 20)
+    program.send_signal(signal.SIGINT)
+    program.wait()
+    time.sleep(0.1)
+    came = [json.loads(line).get("time_us") if line.startswith("{") else line.split(",")[0] for line in lines]
+    came = [float(us) for us in came if us not in (None, "time")]
+    reader = subprocess.run([sys.argv[1], "hex", "-"], input="".join(lines), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    read = sum(" frame " in line for line in reader.stdout.split("\n"))
+    back = sum(a >= b for a, b in zip(came, came[1:]))
+    print("%d times, %d of them not after the one before; %d frames read, status %d %s" % (len(came), back, read, reader.returncode, reader.stderr[:80].strip()))
+    return back == 0 and read > 0.9 * len(came) and reader.returncode == 0
+
+
+cases = {"times": times, "stop": stop, "kill": kill, "queue": queue, "full": full, "slow": slow}
 words = sys.argv[2:]
 sys.exit(not cases[words[0]](*[int(word) if word.isdigit() else word for word in words[1:]]))

@@ -36,6 +36,8 @@ full jq|a device that takes no bytes for 3 s, after send
 slow bridge 25 0.012|a device that reads 25 bytes every 12 ms, after bridge
 slow send 25 0.012|a device that reads 25 bytes every 12 ms, after send
 slow bridge 10 0.005|a device that reads 10 bytes every 5 ms
+times hex --json|hex --json stopped for up to 3 s
+times csv --every-frame --header --columns time,ch1-ch16|csv --every-frame stopped for up to 3 s
 kill fly 0|bridge of three programs is killed
 kill fly 1|a program between bridge and send is killed
 kill jq 0|hex of three programs is killed
