@@ -40,6 +40,23 @@ void Destination::finish() const {
   }
 }
 
+bool Destination::holdsBytes(uint64_t nowUs) {
+  line::PortFile *const port = _port ? _port->at(nowUs) : nullptr;
+  return _terminal ? _terminal->holdsBytes() : port != nullptr && port->holdsBytes();
+}
+
+bool Destination::mayMissReads(uint64_t nowUs) {
+  line::PortFile *const port = _port ? _port->at(nowUs) : nullptr;
+  return _terminal || (port != nullptr && port->mayMissReads());
+}
+
+void Destination::discard(uint64_t nowUs) {
+  line::PortFile *const port = _port ? _port->at(nowUs) : nullptr;
+  if (port != nullptr) {
+    port->discard();
+  }
+}
+
 size_t Destination::send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
   if (_terminal) {
     return _terminal->write(bytes.data(), bytes.size());

@@ -22,6 +22,15 @@ class Destination {
   // Gives a busy reader time to read the end: Linux discards unread bytes when a pseudo-terminal is closed.
   void finish() const;
 
+  // Returns true if bytes that were sent have not left yet, or the reader of a pseudo-terminal has not read them.
+  bool holdsBytes(uint64_t nowUs);
+
+  // Returns true if this may be wrong: see line::Unread.
+  bool mayMissReads(uint64_t nowUs);
+
+  // Discards these bytes, if the port can.
+  void discard(uint64_t nowUs);
+
   // Sends without waiting. Reports on standard error that the port is gone, or back. Returns the number of bytes sent.
   size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes);
 

@@ -139,6 +139,7 @@ FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
     source.settings = read.settings;
     source.startUs = read.startUs;
     source.hasTimes = read.hasTimes;
+    source.isRead = read.isRead;
   }
   if (kind != FileKind::Rows && baud > 0) {
     source.settings = line::LineSettings();
@@ -162,9 +163,18 @@ class RecordingLines : public LineReader {
   std::string cutLine(std::string_view text, std::deque<line::Character> &characters) override {
     return _reader.isCsv() ? "" : line(text, characters);
   }
-  std::string finish() override { return _reader.finish().error; }
+  std::string finish() override {
+    _hasEnded = true;
+    return _reader.finish().error;
+  }
+  std::string news() override {
+    return _hasEnded && _reader.nuls() > 0 ? std::to_string(_reader.nuls()) +
+                                                 " NULs were left out, and the lines that they cut: did the power fail?"
+                                           : "";
+  }
 
  private:
+  bool _hasEnded = false;
   line::RecordingReader _reader;
 };
 
@@ -186,8 +196,8 @@ FileSource readCapture(const FileName &name, const line::Overrides &overrides) {
 
 constexpr std::string_view RecordedBy = "# sbus ";  // the beginning of a recording made by sbus
 
-bool isControl(unsigned char c) {
-  return c < ' ' && c != '\t' && c != '\n' && c != '\r';
+bool isControl(char c) {
+  return c >= '\0' && c < ' ' && c != '\t' && c != '\n' && c != '\r';
 }
 
 }  // namespace
@@ -222,7 +232,7 @@ FileKind kindOfText(const std::string &head, const std::string &name) {
   if (head.rfind("<SALEAE>", 0) == 0) {
     throw std::runtime_error(name + ": is Logic 2's binary export: export it as CSV");
   }
-  if (std::any_of(head.begin(), head.end(), isControl)) {
+  if (std::any_of(head.begin(), head.end(), [](char c) { return c != '\0' && isControl(c); })) {
     throw std::runtime_error(name +
                              ": is not text; sbus reads a receiver's raw bytes if the file is called "
                              "NAME.bin or NAME.raw, or from standard input: - <" +

@@ -43,6 +43,7 @@ struct FileSource {
   std::string signal;              // a capture's
   std::optional<int64_t> startUs;  // time 0 in us since 1970, if the file gives it
   line::Recording recording;       // of a capture and of bytes; other files are read while they are played
+  bool isRead = false;             // its frames say when they were read
   std::string path;                // of those other files
 
   bool isWhole() const { return kind == FileKind::Capture || kind == FileKind::Bytes; }

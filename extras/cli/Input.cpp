@@ -9,6 +9,7 @@
 
 #include "cli/Output.h"
 #include "cli/Stop.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -49,9 +50,17 @@ void Input::begin(Clock::time_point start) {
   _line->opened(0);
 }
 
+// Returns how long ago a recorded or simulated character was due.
+uint64_t Input::dueForUs(uint64_t endUs) const {
+  return static_cast<uint64_t>(static_cast<double>(_nowUs - std::min(_nowUs, endUs)) / _speed);
+}
+
 // Hands over the characters received so far. Returns false at the end.
 bool Input::step(const Taker &taker) {
   for (line::Character character; _line->next(_nowUs, character);) {
+    if (_pace == Pace::RealTime && character.sinceUs == 0) {
+      character.sinceUs = line::clockUs() - dueForUs(character.endUs);
+    }
     taker.put(character);
   }
   _knownUs = _line->knownUs(_nowUs);

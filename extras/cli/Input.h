@@ -46,6 +46,9 @@ class Input {
   // Returns true if the line has brought its last character, for use in a tick: what follows is no silence of the line.
   bool hasEnded() const { return _line->finished(_nowUs + line::TailUs); }
 
+  // Returns true if run() has returned because the line has ended, but not as it should.
+  bool isBroken() const { return hasEnded() && _line->isBroken(); }
+
   // Returns when --seconds end a real-time source; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
     return _pace == Pace::RealTime && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
@@ -78,6 +81,7 @@ class Input {
 
   void begin(Clock::time_point start);
   bool step(const Taker &taker);
+  uint64_t dueForUs(uint64_t endUs) const;
   bool advance();
   bool isOverdue() const;
   uint64_t sinceUs() const;

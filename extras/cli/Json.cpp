@@ -35,6 +35,10 @@ Json &Json::decimal(const char *name, std::optional<double> value) {
   return add(name, value ? line::format("%.1f", *value) : "null");
 }
 
+Json &Json::late(const line::Stretch &stretch) {
+  return stretch.lateUs() > 0 ? number("late_us", uint64_t{stretch.lateUs()}) : *this;
+}
+
 Json &Json::counts(const sbus::Counters &counters) {
   return number("frames", counters.frames)
       .number("lost_frames", counters.lostFrames)
@@ -85,7 +89,12 @@ Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const 
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   const bool is24 = stretch.kind == line::Stretch::Kind::Frame24;
   Json json("frame");
-  json.decimal("time_us", endUs).channels(values, extra ? 17 : 1, is24 ? 24 : 16, form);
+  json.decimal("time_us", endUs);
+  if (stretch.characters.back().sinceUs > 0) {
+    json.number("read_us", stretch.characters.back().sinceUs);
+  }
+  json.late(stretch);
+  json.channels(values, extra ? 17 : 1, is24 ? 24 : 16, form);
   if (!is24 && !extra) {
     json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
   }
@@ -104,7 +113,7 @@ Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs) {
              (character.bad ? "!" : "");
   }
   Json json("no_frame");
-  return json.decimal("time_us", endUs).text("bytes", bytes).text("why", why(stretch));
+  return json.decimal("time_us", endUs).late(stretch).text("bytes", bytes).text("why", why(stretch));
 }
 
 Json slotJson(const sbus::Slot &slot, std::optional<double> endUs) {

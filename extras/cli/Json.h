@@ -34,6 +34,7 @@ class Json {
   // Adds a number that is already text.
   Json &digits(const char *name, const std::string &number) { return add(name, number); }
   Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if unknown
+  Json &late(const line::Stretch &stretch);                         // late_us, if a port may have held it back
   Json &numbers(const char *name, const std::vector<double> &values);
   // Adds the range if the channels are in percent.
   Json &range(const ChannelForm &form);

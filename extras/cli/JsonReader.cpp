@@ -22,6 +22,7 @@ namespace {
 using Object = nlohmann::json;
 
 constexpr uint64_t PeriodUs = 9000;  // of frames without times: the paper's receiver
+constexpr uint64_t OverlapMostUs = 10000000;  // more than this is another line's time
 constexpr const char *Expected = "JSON lines as sbus hex --json writes them are expected";
 
 std::string typeOf(const Object &object) {
@@ -37,6 +38,13 @@ bool timeOf(const Object &object, std::optional<double> &us) {
   }
   us = time->is_number() ? time->get<double>() : -1;
   return *us >= 0 && *us <= static_cast<double>(line::RecordingTimeMaxUs);
+}
+
+// Reads read_us or late_us; 0 if it is absent. Returns false if it is not a time.
+bool wholeTimeOf(const Object &object, const char *name, uint64_t &us) {
+  const auto time = object.find(name);
+  us = time != object.end() && time->is_number_unsigned() ? time->get<uint64_t>() : 0;
+  return time == object.end() || time->is_null() || time->is_number_unsigned();
 }
 
 // Reads a flag: true, false, 1 or 0; if absent, false. Returns false for anything else.
@@ -210,6 +218,7 @@ JsonHead readJsonHead(std::string_view text) {
     } else if (read.is_object() && isLineType(typeOf(read))) {
       std::optional<double> us;
       head.hasTimes = !timeOf(read, us) || us;
+      head.isRead = read.contains("read_us");
       head.isKnown = true;
       break;
     }
@@ -265,6 +274,7 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
   if (type == "line" && !rangeOf(read, _range)) {
     return quoted("range", read["range"]) + " is not three raw values such as [172,992,1811]";
   }
+  _hasEnded = type == "end";
   if (!isLineType(type)) {
     return {};
   }
@@ -277,6 +287,15 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
   if (!wrong.empty() || !timeOf(read, us)) {
     return wrong.empty() ? quoted("time_us", read["time_us"]) + " is not a time in microseconds" : wrong;
   }
+  uint64_t sinceUs = 0, lateUs = 0;
+  for (const auto &[name, time] : {std::pair<const char *, uint64_t *>{"read_us", &sinceUs}, {"late_us", &lateUs}}) {
+    if (!wholeTimeOf(read, name, *time)) {
+      return quoted(name, read[name]) + " is not a time in microseconds";
+    }
+  }
+  for (line::Character &character : came) {
+    character.sinceUs = sinceUs;
+  }
   if (type == "character") {
     bool parityError = false, framingError = false;
     if (!flagOf(read, "parity_error", parityError) || !flagOf(read, "framing_error", framingError)) {
@@ -285,18 +304,19 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
     came[0].bad = parityError || framingError;
     us = us ? std::optional<double>(*us + _characterUs) : std::nullopt;  // its time is the start bit's
   }
-  return put(us, came, characters);
+  return put(us, static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
 }
 
 // Appends characters that end at `endUs`, back to back.
-std::string JsonReader::put(std::optional<double> endUs, const std::vector<line::Character> &came,
+std::string JsonReader::put(std::optional<double> endUs, uint32_t lateUs, const std::vector<line::Character> &came,
                             std::deque<line::Character> &characters) {
   const uint64_t endOfAll = endUs ? static_cast<uint64_t>(std::llround(*endUs)) : _lastUs + PeriodUs;
-  if (_any && endOfAll <= _lastUs) {
+  if (_any && endOfAll + OverlapMostUs < _lastUs) {
     return line::format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
                         static_cast<unsigned long long>(_lastUs));
   }
-  _lastUs = line::appendBackToBack(came, endOfAll, _lastUs, _characterUs, characters);
+  _lastUs = line::appendLate(came, endOfAll, _lastUs, _characterUs, lateUs, characters);
+  _overlaps.put(_any ? endOfAll : _lastUs, _lastUs);
   _any = true;
   return {};
 }

@@ -39,6 +39,7 @@ struct JsonHead {
   line::LineSettings settings;
   std::optional<int64_t> startUs;  // time 0 in us since 1970
   bool hasTimes = true;            // its frames have times
+  bool isRead = false;             // its frames say when they were read
   bool isKnown = false;            // an object says so
 };
 
@@ -53,16 +54,20 @@ class JsonReader : public LineReader {
 
   std::string line(std::string_view text, std::deque<line::Character> &characters) override;
   std::string finish() override;
+  std::string news() override { return _overlaps.take(); }
+  bool isComplete() const override { return _hasEnded; }
 
  private:
   std::string take(const std::string &object, std::deque<line::Character> &characters);
-  std::string put(std::optional<double> endUs, const std::vector<line::Character> &came,
+  std::string put(std::optional<double> endUs, uint32_t lateUs, const std::vector<line::Character> &came,
                   std::deque<line::Character> &characters);
 
   const uint32_t _characterUs;
   JsonSplitter _splitter;
   uint64_t _lastUs = 0;
   bool _any = false;
+  OverlapNews _overlaps;
+  bool _hasEnded = false;  // an object of type end came
   sbus::Range _range = sbus::FrSky;
 };
 

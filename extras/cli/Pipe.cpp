@@ -135,6 +135,20 @@ Pipe::Content Pipe::content(double seconds) {
   return _begin.empty() ? Content::Line : Content::File;
 }
 
+// A line would take seconds for what a file delivers at once, up to its end, or more than a live line's programs can
+// have kept back in their pipes.
+bool Pipe::isFileAtOnce() {
+  constexpr size_t Most = 256 * 1024;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(PauseMs);
+  while (!_ended && _begin.size() < Most && !stopped()) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    if (left.count() <= 0 || !readMore(static_cast<int>(left.count()))) {
+      break;
+    }
+  }
+  return _ended || _begin.size() >= Most;
+}
+
 // Reads the bytes that arrive within `ms`. Returns false if there were none.
 bool Pipe::readMore(int ms) {
   if (!line::isReadable(_file, ms)) {

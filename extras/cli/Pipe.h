@@ -26,6 +26,9 @@ class Pipe {
   // Waits for the first bytes, for at most `seconds`; 0: until Ctrl-C. A pipe without bytes counts as a line.
   Content content(double seconds);
 
+  // Returns true if a live line or a text is a file after all, since it comes at once. Call it after content().
+  bool isFileAtOnce();
+
   // Returns the file; for a pipe, a copy of everything in it. Throws std::runtime_error.
   FileName wholeFile();
 

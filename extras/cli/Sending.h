@@ -13,6 +13,9 @@ class Sending {
   // Adds its options to a subcommand.
   explicit Sending(Subcommand &subcommand);
 
+  // Returns the port; empty for a pseudo-terminal.
+  const std::string &to() const { return _to; }
+
   // Sends this line. On a pseudo-terminal, first waits for a reader. Throws std::runtime_error.
   void run(Input &input) const;
 

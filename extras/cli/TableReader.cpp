@@ -155,8 +155,8 @@ std::string TableRows::takeRow(const line::CsvRow &fields) {
       return line::quoted(fields[i].text) + " is not a value for column " + std::to_string(i + 1) + "; " + wrong;
     }
   }
-  if (_row.us && _lastUs && *_row.us <= *_lastUs) {
-    return "its time is not after that of the previous row";
+  if (_row.us && _lastUs && *_row.us < *_lastUs) {
+    return "its time is before that of the previous row";
   }
   _lastUs = _row.us;
   _isRow = true;
@@ -244,6 +244,7 @@ std::string TableReader::line(std::string_view text, std::deque<line::Character>
   }
   const uint64_t endUs = _rows.row().us.value_or(_lastUs + PeriodUs);
   _lastUs = appendFrames(_rows.row(), _rows.channels(), endUs, _lastUs, _characterUs, characters);
+  _overlaps.put(_any ? endUs : _lastUs, _lastUs);
   _any = true;
   return {};
 }

@@ -95,11 +95,13 @@ class TableReader : public LineReader {
     return _rows.cutLine(text);
   }
   std::string finish() override { return _any ? "" : "has no rows; rows as sbus csv prints them are expected"; }
+  std::string news() override { return _overlaps.take(); }
 
  private:
   const uint32_t _characterUs;
   TableRows _rows;
   uint64_t _lastUs = 0;
+  OverlapNews _overlaps;
   bool _any = false;
 };
 

@@ -15,12 +15,8 @@ namespace tool {
 namespace {
 
 constexpr size_t Ahead = 2;                  // characters: knownUs() needs the next one
-constexpr uint64_t StartMostUs = 1000000;    // a live text that begins later was joined in its middle
-constexpr int64_t SkewMostUs = 250000;       // how much later than its writer a live text's reader may start
-constexpr uint64_t BacklogMostUs = 3000000;  // a pipe with more at once holds a file
-constexpr uint64_t SettledUs = 100000;       // a pipe that is empty after this time is not a file
-constexpr uint64_t LagMostUs = 1000000;
-constexpr uint64_t JitterUs = 20000;  // a pipe's
+constexpr uint64_t OldUs = 250000;  // a live text's characters that are this much older than its newest are left out
+constexpr int64_t JitterUs = 20000;  // a pipe's: a live text's newest character is played so much later at most
 
 double seconds(int64_t us) {
   return static_cast<double>(us) / 1e6;
@@ -118,7 +114,7 @@ uint64_t TextLine::knownUs(uint64_t nowUs) const {
   if (_ended) {
     return nowUs;
   }
-  const uint64_t lateUs = _clock == Clock::Live ? _lagUs + JitterUs : UINT64_MAX;
+  const uint64_t lateUs = _clock == Clock::Live ? 2 * JitterUs : UINT64_MAX;
   return std::max(_lastUs, nowUs - std::min(nowUs, lateUs));
 }
 
@@ -141,36 +137,27 @@ bool TextLine::finished(uint64_t nowUs) const {
 }
 
 void TextLine::fill(uint64_t nowUs) {
-  const auto isLow = [this] {
-    return _waiting.size() < Ahead || (_clock == Clock::Live && _newestUs < _waiting.front().endUs + BacklogMostUs);
-  };
+  const bool isLive = _clock == Clock::Live;
   bool came = false;
-  while (!_ended && isLow() && _lines.isReady(0)) {
+  while (!_ended && (isLive || _waiting.size() < Ahead) && _lines.isReady(0)) {
     read();
     came = true;
   }
-  if (came && _clock == Clock::Live && _newestUs > 0) {
+  if (isLive && !_ended) {
+    _ages.empty();
+  }
+  if (came && isLive && _newestUs > 0) {
     followLive(nowUs);
   }
 }
 
-// Plays a live text's new characters at once, but keeps the times between them. Leaves out old characters: those
-// received long before playing began.
+// Plays a live text's newest character at once, and those before it as much earlier as they are older.
 void TextLine::followLive(uint64_t nowUs) {
-  const auto now = static_cast<int64_t>(nowUs);
-  if (!_begunUs) {
-    _begunUs = nowUs;
-    _shiftUs = _firstUs > nowUs + StartMostUs ? now - static_cast<int64_t>(_firstUs) : 0;
+  const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - static_cast<int64_t>(nowUs);
+  _shiftUs -= std::max<int64_t>(0, aheadUs) + std::min<int64_t>(0, aheadUs + JitterUs);
+  while (!_waiting.empty() && _waiting.front().endUs + OldUs < _newestUs) {
+    _waiting.pop_front();
   }
-  const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - now;
-  const bool isDrained = !_ended && !_lines.isReady(0);
-  if (isDrained && aheadUs > 0 && (aheadUs < SkewMostUs || nowUs >= *_begunUs + SettledUs)) {
-    _shiftUs -= aheadUs;
-    if (aheadUs >= SkewMostUs) {
-      _waiting.clear();
-    }
-  }
-  _lagUs = std::max(_lagUs, std::min(LagMostUs, static_cast<uint64_t>(std::max<int64_t>(0, -aheadUs))));
 }
 
 void TextLine::read() {
@@ -186,10 +173,27 @@ void TextLine::read() {
 void TextLine::take(const std::string &line) {
   const size_t from = _waiting.size();
   const std::string wrong = _lines.isCut() ? _reader->cutLine(line, _waiting) : _reader->line(line, _waiting);
+  const std::string news = _reader->news();
+  if (!news.empty()) {
+    _news = _name + ":" + std::to_string(_lines.number()) + ": " + news;
+  }
+  setAges(from);
   keepPart(from);
   if (!wrong.empty()) {
     _failure = _name + ":" + std::to_string(_lines.number()) + ": " + wrong;
     _ended = true;
+  }
+}
+
+// A file has no age, even if its lines say when they were read.
+void TextLine::setAges(size_t from) {
+  const bool isLive = _clock == Clock::Live;
+  if (from == _waiting.size() || (isLive && _waiting.back().sinceUs > 0)) {
+    return;
+  }
+  const uint64_t sinceUs = isLive ? _ages.came((_waiting.size() - from) * line::CharacterUs) : 0;
+  for (size_t i = from; i < _waiting.size(); i++) {
+    _waiting[i].sinceUs = sinceUs;
   }
 }
 
@@ -216,6 +220,8 @@ void TextLine::takeEnd() {
   }
   const std::string unread = _lines.failure();
   const std::string missing = _reader->finish();
+  const std::string news = _reader->news();
+  _news += news.empty() ? "" : _name + ": " + news;
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);
   } else if (!_any) {

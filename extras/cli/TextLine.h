@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "line/Line.h"
+#include "line/ports/PipeAges.h"
 #include "line/capture/TextFile.h"
 
 namespace tool {
@@ -29,6 +30,12 @@ class LineReader {
 
   // Takes the end of the text. Returns what is missing, or nothing.
   virtual std::string finish() = 0;
+
+  // Returns what was changed in a line that was read, once; usually empty.
+  virtual std::string news() { return {}; }
+
+  // Returns true if the text itself has said that this is its end.
+  virtual bool isComplete() const { return false; }
 };
 
 // The source of a text: a file or a pipe.
@@ -129,13 +136,16 @@ class TextLine : public line::Line {
   bool wait() override;
   bool canAdvanceTo(uint64_t us) override;
   bool finished(uint64_t nowUs) const override;
+  bool isBroken() const override { return _clock == Clock::Live && !_reader->isComplete(); }
   std::string failure() const override { return _waiting.empty() ? _failure : ""; }
+  std::string news() override { return std::exchange(_news, {}); }
 
  private:
   void fill(uint64_t nowUs);
   void read();
   void take(const std::string &line);
   void takeEnd();
+  void setAges(size_t from);
   void keepPart(size_t from);
   void followLive(uint64_t nowUs);
   uint64_t playedUs(uint64_t endUs) const;
@@ -144,6 +154,7 @@ class TextLine : public line::Line {
   TextLines _lines;
   const std::unique_ptr<LineReader> _reader;
   const Clock _clock;
+  line::PipeAges _ages;  // of a live text
   const uint64_t _fromUs;
   const uint64_t _toUs;
   std::deque<line::Character> _waiting;
@@ -152,10 +163,27 @@ class TextLine : public line::Line {
   uint64_t _lastUs = 0;  // when the last one was played
   bool _any = false;     // there were characters between _fromUs and _toUs
   bool _ended = false;
-  int64_t _shiftUs = 0;              // from the text's times to the program's
-  std::optional<uint64_t> _begunUs;  // when a live text was first read
-  uint64_t _lagUs = 0;               // delay of a live text's newest character
+  int64_t _shiftUs = 0;  // from the text's times to the program's
   std::string _failure;
+  std::string _news;
+};
+
+// Tells once that lines of a text overlap.
+class OverlapNews {
+ public:
+  // Takes the time of a frame in the text, and where it ends.
+  void put(uint64_t us, uint64_t endUs) {
+    if (endUs > us && !std::exchange(_isTold, true)) {
+      _news = "its time, " + std::to_string(us) + " us, overlaps what comes before it: moved by " +
+              std::to_string(endUs - us) + " us, and others may be";
+    }
+  }
+
+  std::string take() { return std::exchange(_news, {}); }
+
+ private:
+  bool _isTold = false;
+  std::string _news;
 };
 
 }  // namespace tool

@@ -48,7 +48,8 @@ int main(int argc, char **argv) {
   CLI::App app{"Monitors, records, sends and diagnoses S.Bus lines.", "sbus"};
   app.require_subcommand(1);
   app.allow_windows_style_options(false);  // /tmp/flight.txt is a file, on Windows also
-  app.set_version_flag("--version", VERSION, "print the version");
+  tool::formatHelp(app);
+  app.set_version_flag("--version", tool::versionText(), "print the version, and those of the libraries");
   app.set_help_flag("-h,--help", "list the subcommands; after a subcommand, its options");
   app.set_help_all_flag("--help-all", "print the options of every subcommand");
   app.footer(
@@ -65,6 +66,10 @@ int main(int argc, char **argv) {
   } catch (const CLI::RuntimeError &error) {
     return error.get_exit_code();  // the subcommand has said why
   } catch (const CLI::ParseError &error) {
+    if (argc == 1) {
+      std::fputs(app.help().c_str(), stderr);
+      return tool::WrongCommandLine;
+    }
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
       std::fprintf(stderr, "%s\n", tool::unknownSubcommand(app, argv[1]).c_str());
       return tool::WrongCommandLine;

@@ -35,6 +35,18 @@ uint64_t appendBackToBack(const std::vector<Character> &came, uint64_t endUs, ui
   return us;
 }
 
+uint64_t appendLate(const std::vector<Character> &came, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
+                    uint32_t lateUs, std::deque<Character> &characters) {
+  const uint64_t roomUs = (endUs - std::min(endUs, lastUs)) / came.size();
+  const size_t from = characters.size();
+  const auto eachUs = static_cast<uint32_t>(std::clamp<uint64_t>(lateUs > 0 ? roomUs : characterUs, 1, characterUs));
+  lastUs = appendBackToBack(came, endUs, lastUs, eachUs, characters);
+  for (size_t i = from; i < characters.size(); i++) {
+    characters[i].lateUs = lateUs;
+  }
+  return lastUs;
+}
+
 std::vector<Character> charactersOf(const std::vector<uint8_t> &bytes) {
   std::vector<Character> characters(bytes.size());
   for (size_t i = 0; i < bytes.size(); i++) {

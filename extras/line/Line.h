@@ -18,6 +18,7 @@ struct Character {
   uint32_t lateUs = 0;       // a port held it back: it may have ended up to this much earlier
   bool parityWrong = false;  // the kind of error; both are false if the source does not tell
   bool stopWrong = false;
+  uint64_t sinceUs = 0;  // in real time: it has waited since then at most, by clockUs(); 0: it has no age
 };
 
 // A line stays silent for this long after its end, so that the last frame can still be shown.
@@ -44,6 +45,9 @@ class Line {
 
   // Returns true if the line has ended.
   virtual bool finished(uint64_t /*nowUs*/) const { return false; }
+
+  // Returns true if it has ended, but not as it should: the program that writes it is gone. For a finished line.
+  virtual bool isBroken() const { return false; }
 
   // Returns why the line failed; otherwise empty.
   virtual std::string failure() const { return {}; }

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "line/ports/PortFile.h"
+#include "line/ports/PseudoTerminal.h"
 #include "line/ports/SendingPort.h"
 
 // libserialport 0.1.2, serialport.c: sp_free_port() frees memory and leaves the file open; only sp_close() closes it,
@@ -82,6 +83,12 @@ sp_return sp_get_config_baudrate(const sp_port_config *config, int *baud) {
   *baud = config->baud;
   return SP_OK;
 }
+sp_return sp_output_waiting(sp_port *port) {
+  return port->name == "/dev/full" ? SP_OK : SP_ERR_FAIL;
+}
+sp_return sp_flush(sp_port *, sp_buffer) {
+  return SP_OK;
+}
 int sp_last_error_code() {
   return errno;
 }
@@ -112,4 +119,23 @@ TEST_CASE("a port that cannot run at the rate, or cannot be opened, leaves no fi
                     doctest::Contains("this adapter cannot do 200000 baud"));
   CHECK_THROWS_WITH(line::PortFile("/dev/none", {}, line::PortFile::Way::Write), doctest::Contains("no such port"));
   CHECK(openFiles() == before);
+}
+
+TEST_CASE("a pseudo-terminal holds bytes until its reader reads, and says so") {
+  line::PseudoTerminal terminal;
+  line::PortFile port(terminal.name(), {}, line::PortFile::Way::Write);
+  CHECK(port.mayMissReads());
+  CHECK(!port.holdsBytes());
+  const uint8_t frame[25] = {0x0F};
+  for (int i = 0; i < 3; i++) {
+    CHECK(port.write(frame, sizeof frame) == 25);
+    CHECK(port.holdsBytes());
+    CHECK(port.holdsBytes());
+    uint8_t read[100];
+    size_t count = 0;
+    while (count < sizeof frame) {
+      count += terminal.read(read, sizeof read);
+    }
+    CHECK(!port.holdsBytes());
+  }
 }

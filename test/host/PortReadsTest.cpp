@@ -28,7 +28,7 @@ TEST_CASE("a recording has what two reads brought on two lines, even if it came 
   CHECK(writer.take() == "100880~19000 0F E5!\n101120~19120 0F E5!\n");
 }
 
-TEST_CASE("after a stall of 3 s the reads that follow each other at once bring no characters of the future") {
+TEST_CASE("after a stall of 3 s the reads that follow each other at once bring each character 1 us after the last one") {
   line::PortReads reads;
   reads.empty(1000000);
   uint64_t lastUs = 0;
@@ -36,11 +36,11 @@ TEST_CASE("after a stall of 3 s the reads that follow each other at once bring n
     reads.begin(256, 4000000, 16000);
     for (unsigned i = 0; i < 256; i++) {
       const uint64_t us = reads.next(0x0F).endUs;
-      CHECK(us >= lastUs);
+      CHECK(us > lastUs);
       lastUs = us;
     }
   }
-  CHECK(lastUs == 4016000);
+  CHECK(lastUs < 4016000 + 32 * 256);
   reads.empty(4001000);
   reads.begin(25, 4100000, 16000);
   CHECK(reads.next(0x0F).endUs == 4100000 - 24 * line::CharacterUs);

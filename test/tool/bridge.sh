@@ -260,12 +260,11 @@ ended() {
 head -n 50 "$work/gap.json" >"$work/frames.json"
 [ "$(ended 0 bytes.bin)" = "200 0" ] && [ "$(ended 0 frames.json)" = "50 0" ] && [ "$(ended 0 bytes.bin --second "$work/frames.json")" = "200 0" ]
 verdict $? "after the end of a pipe no failsafe is sent"
-# The frames take at most 2 s.
 for file in bytes.bin frames.json; do
   got=$(ended 4 $file)
   set -- $got
-  [ "$1" -ge 50 ] && [ "$2" -gt 100 ]
-  verdict $? "while a pipe brings no frames, failsafe is sent: $2 frames"
+  [ "$1" -eq 0 ] && [ "$2" -gt 100 ]
+  verdict $? "of what a live pipe brings at once nothing is sent, but failsafe: $2 frames"
 done
 
 player bridge sim
@@ -285,7 +284,8 @@ until_true has_lines 100 "$work/hex"
 kill -INT "$player"
 wait "$player" "$reader"
 "$SBUS" hex sim:32 --simulated-time --seconds 80 --values | grep ' extra ' | cut -c15- >"$work/wanted"
-grep ' extra ' "$work/hex" | cut -c15- >"$work/extra"
+# On a busy PC one may have become old, and has both flags.
+grep ' extra ' "$work/hex" | cut -c15- | grep -v '^2F.* 0C 00  extra ' >"$work/extra"
 [ "$(wc -l <"$work/extra")" -gt 20 ] && ! grep -vxFf "$work/wanted" "$work/extra"
 verdict $? "frames with header 2F are sent unchanged: $(wc -l <"$work/extra") frames"
 

@@ -61,7 +61,7 @@ kill $player
 # it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
 sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several
-g++ -std=c++17 -O1 -I. -Iimpairment -I../src -I../extras -I../extras/host $sources ../extras/line/system/PseudoTerminal.cpp \
+g++ -std=c++17 -O1 -I. -Iimpairment -I../src -I../extras -I../extras/host $sources ../extras/line/system/PseudoTerminal.cpp ../extras/line/system/Unread.cpp \
   ../src/sbus/Frame.cpp -o "$work/Adapter"
 verdict $? "tool/Adapter builds"
 adapter() {  # LINE PERIOD_MS LATENCY_MS FRAMES

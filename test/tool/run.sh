@@ -130,8 +130,37 @@ while IFS= read -r line; do
   [ $? -eq "${line##*= }" ]
   verdict $? "the exit status is right: $line"
 done <"$work/statuses"
-[ "$("$sbus" --version)" = "$(sed -n 's/^version=//p' ../library.properties)" ]
-verdict $? "--version prints the version alone on its line"
+"$sbus" --version >"$work/version" && [ "$(head -n 1 "$work/version")" = "sbus $(sed -n 's/^version=//p' ../library.properties) (DecodeSBus)" ] &&
+  grep -qE '^CLI11 [0-9.]+, libserialport [0-9.]+, libarchive [0-9.]+, ncurses [0-9.]+$' "$work/version"
+verdict $? "--version prints the version, and those of the libraries: $(tail -n 1 "$work/version")"
+! "$sbus" 2>"$work/out" && "$sbus" --help | cmp - "$work/out"
+verdict $? "without a subcommand all are listed"
+# columns N ARGUMENTS...: the longest line on a terminal of N columns; the words are those of a pipe
+columns() {
+  python3 - "$sbus" "$@" <<'END'
+import fcntl, os, pty, struct, subprocess, sys, termios
+sbus, columns = sys.argv[1:3]
+plain = subprocess.run([sbus] + sys.argv[3:], stdout=subprocess.PIPE, text=True).stdout
+master, slave = pty.openpty()
+fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, int(columns), 0, 0))
+program = subprocess.Popen([sbus] + sys.argv[3:], stdout=slave)
+os.close(slave)
+text = b""
+try:
+    while part := os.read(master, 4096):
+        text += part
+except OSError:  # the end
+    pass
+text = text.decode().replace("\r", "")
+print(max(map(len, text.split("\n"))) if text.split() == plain.split() else "other words")
+END
+}
+for arguments in '80 help bridge' '80 --help-all' '100 watch --help' '50 help send'; do
+  # shellcheck disable=SC2086  # words
+  longest=$(columns $arguments)
+  [ "$longest" -le "${arguments%% *}" ]
+  verdict $? "help fits the terminal's width: $arguments, $longest columns"
+done
 for subcommand in hex explain doctor; do
   "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -qE "^(Usage: )?sbus $subcommand " "$work/help"
   verdict $? "help $subcommand and $subcommand --help print the same"
@@ -260,7 +289,7 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-for part in wire hex files kinds counts send bridge watch compare json summary stream systems telemetry languages calibrate \
+for part in wire hex files kinds counts send bridge stalls watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
 done

@@ -194,6 +194,16 @@ head -n 3 "$work/line.json" >"$work/two.json" && echo '["frame"]' >>"$work/two.j
 [ $? -eq 1 ] && [ "$(grep -c ' end ' "$work/out")" -ge 1 ] && grep -q ':4: "\["frame"\]" is not a JSON object' "$work/err"
 verdict $? "the part before a wrong object is printed"
 
+frames() {  # TIMES...: JSON lines
+  for us in "$@"; do echo "{\"type\":\"frame\",\"time_us\":$us,\"channels\":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]}"; done
+}
+frames 9000 18000 18500 30000 | "$SBUS" hex - 2>"$work/err" | cut -c1-12 | tr -d ' ' | tr '\n' ' ' >"$work/out"
+[ "$(cat "$work/out")" = "0.009000 0.018000 0.021000 0.030000 " ] && [ "$(cat "$work/err")" = "-:3: its time, 18500 us, overlaps what comes before it: moved by 2500 us, and others may be" ] || { cat "$work/out" "$work/err"; false; }
+verdict $? "a frame that overlaps the one before it is moved, and a message says so"
+frames 20000000 9000 | "$SBUS" hex - >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && grep -qxF 'sbus hex: -:2: time_us 9000 is not after 20000000, the previous time' "$work/err"
+verdict $? "a time of another line is an error"
+
 # ---- When it was
 
 "$SBUS" record sim "$work/dated.txt" --seconds 0.2 2>"$work/err"

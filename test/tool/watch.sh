@@ -115,6 +115,68 @@ sys.exit(not (0.9 < before < 1.5 and abs(start - begin["time_us"] / 1e6) < 1e-4 
 END
 verdict $? "the event is --before after the file's date"
 
+# pieces FRAMES ARGUMENTS...: watches a port that delivers numbered frames in pieces, like an adapter: CH1 is the number, CH2 is
+# 2000 in each fourth group of ten
+pieces() {
+  rm -rf "$work/dir"
+  python3 - "$SBUS" "$work/dir" "$@" >"$work/out" 2>"$work/err" <<'END'
+import os, pty, subprocess, sys, time, tty
+master, slave = pty.openpty()
+tty.setraw(slave)
+sbus, folder, count = sys.argv[1:4]
+watch = subprocess.Popen([sbus, "watch", os.ttyname(slave), "--record", folder] + sys.argv[4:])
+time.sleep(1)
+def frame(n):
+    bits = sum(value << 11 * i for i, value in enumerate([n, 2000 if n // 10 % 4 == 3 else 0] + [992] * 14))
+    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+line = b"".join(frame(n) for n in range(1, int(count) + 1))
+start = time.monotonic()
+for at in range(0, len(line), 44):  # every 16 ms, whatever a frame's end is
+    time.sleep(max(0, start + at / 44 * 0.016 - time.monotonic()))
+    os.write(master, line[at:at + 44])
+time.sleep(0.2)
+watch.send_signal(2)
+watch.wait()
+END
+}
+pieces 600 --when 'ch1>0' --longest 1 --before 1
+# ends: the first and the last line of each file that are no frames; a busy PC may tear frames apart elsewhere
+ends() { for file in "$work"/dir/*; do "$SBUS" hex "$file" | sed -n '1p;$p'; done | grep -c ' - '; }
+for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1 | sed -n '1p;$p'; done | tr '\n' ' ' >"$work/seams"
+[ "$(ends)" -eq 0 ] && [ "$(grep -c continued "$work/out")" -ge 4 ] &&
+  awk '{ for (i = 2; i < NF; i += 2) bad += $(i + 1) != $i + 1; exit bad || $1 != 1 || $NF != 600 }' "$work/seams"
+verdict $? "if a port delivers pieces of frames, a file still goes on in the next one: $(cat "$work/seams")"
+pieces 400 --when 'ch2>1000' --before 0.02 --after 0.02
+[ "$(ls "$work/dir" | wc -l)" -eq 10 ] && [ "$(ends)" -eq 0 ]
+verdict $? "its events begin and end between two frames: $(ls "$work/dir" | wc -l) events"
+
+# ---- The disk
+
+# syncs ARGUMENTS...: how often watch has called fsync() while 2 s of a port came
+printf '%s\n' '#include <stdio.h>' 'extern "C" int fsync(int) { return puts("fsync") < 0; }' |
+  g++ -shared -fPIC -x c++ - -o "$work/fsync.so"
+syncs() {
+  rm -rf "$work/dir"
+  ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD="$work/fsync.so" timeout 60 "$SBUS" watch sim --seconds 2.5 --when 'ch1>0' --record "$work/dir" "$@" 2>"$work/err" | grep -c fsync
+}
+# One for the folder, one at the end.
+[ "$(syncs)" -ge 3 ] && [ "$(syncs)" -le 5 ] && [ "$(syncs --sync 0.1)" -gt 10 ] && [ "$(syncs --sync 0)" -eq 0 ]
+verdict $? "a file is written to the disk itself once a second, or as --sync says"
+"$SBUS" record sim "$work/whole.txt" --simulated-time --seconds 2 2>"$work/err"
+frames=$("$SBUS" hex "$work/whole.txt" | grep -c ' frame ')
+for at in 5000 9000 end; do
+  python3 - "$work/whole.txt" "$work/nul.txt" $at <<'END'
+import sys
+text = open(sys.argv[1], "rb").read()
+at = len(text) if sys.argv[3] == "end" else int(sys.argv[3])
+open(sys.argv[2], "wb").write(text[:at] + bytes(700) + text[at + 700:])
+END
+  got=$("$SBUS" hex "$work/nul.txt" 2>"$work/err" | grep -c ' frame ')
+  [ "$got" -ge $((frames - 13)) ] && [ "$got" -le "$frames" ] &&
+    grep -qxF "$work/nul.txt: 700 NULs were left out, and the lines that they cut: did the power fail?" "$work/err" || { cat "$work/err"; false; }
+  verdict $? "NULs at $at in a recording are read around: $got of $frames frames"
+done
+
 # ---- Rotation
 
 rm -rf "$work/dir"

@@ -14,6 +14,7 @@ namespace tool {
 
 class ChannelRules {
  public:
+  ChannelRules() = default;  // changes nothing
   // Adds the options to a subcommand.
   explicit ChannelRules(Subcommand &subcommand);
   ChannelRules(const ChannelRules &) = delete;

@@ -15,6 +15,7 @@ namespace tool {
 
 class FailsafeOption {
  public:
+  FailsafeOption() = default;  // as if it were not given
   // Adds the option to a subcommand.
   explicit FailsafeOption(Subcommand &subcommand);
   FailsafeOption(const FailsafeOption &) = delete;

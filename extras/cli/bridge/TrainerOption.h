@@ -12,6 +12,7 @@ namespace tool {
 
 class TrainerOption {
  public:
+  TrainerOption() = default;  // as if it were not given
   // Adds the option to a subcommand.
   explicit TrainerOption(Subcommand &subcommand) {
     _option =

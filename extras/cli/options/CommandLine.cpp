@@ -1,5 +1,9 @@
 #include "cli/options/CommandLine.h"
 
+#include <archive.h>
+#include <curses.h>
+#include <libserialport.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
@@ -8,6 +12,7 @@
 
 #include "cli/Output.h"
 #include "cli/options/PortNames.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -84,6 +89,36 @@ void printHelp(const CLI::App &app, const std::string &name) {
   flush();
 }
 
+// Breaks the lines of a help text that are longer than this. CLI11 puts what an option does in column 30.
+std::string wrapped(const std::string &text, size_t columns) {
+  constexpr size_t Column = 30, Narrow = 60;
+  std::istringstream lines(text);
+  std::string all;
+  for (std::string line; std::getline(lines, line);) {
+    const size_t indent = line.substr(0, 1) != " " ? 0 : columns < Narrow ? 4 : Column;
+    for (size_t most = columns; line.size() > most;) {
+      const size_t blank = line.rfind(' ', most);
+      if (blank == std::string::npos || blank <= indent) {
+        break;
+      }
+      all += line.substr(0, blank) + '\n';
+      line = std::string(indent, ' ') + line.substr(blank + 1);
+    }
+    all += line + '\n';
+  }
+  return all;
+}
+
+// In a pipe or a file lines are not broken.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App *app, std::string name, CLI::AppFormatMode mode) const override {
+    const std::string text = CLI::Formatter::make_help(app, name, mode);
+    const size_t columns = line::terminalColumns();
+    return columns > 0 ? wrapped(text, columns) : text;
+  }
+};
+
 bool takesValue(const CLI::Option &option) {
   return option.get_items_expected_min() > 0;
 }
@@ -145,6 +180,16 @@ void addHelp(CLI::App &app) {
   const auto name = std::make_shared<std::string>();
   subcommand->add_option("SUBCOMMAND", *name, "the subcommand; without it, all are listed")->type_name("");
   subcommand->callback([&app, name] { printHelp(app, *name); });
+}
+
+void formatHelp(CLI::App &app) {
+  app.formatter(std::make_shared<HelpFormatter>());
+}
+
+std::string versionText() {
+  return "sbus " VERSION " (DecodeSBus)\nCLI11 " CLI11_VERSION ", libserialport " +
+         std::string(sp_get_package_version_string()) + ", " + archive_version_string() + ", ncurses " +
+         NCURSES_VERSION;
 }
 
 std::string misplacedWord(const CLI::App &app) {

@@ -23,4 +23,10 @@ std::string unknownSubcommand(const CLI::App &app, const std::string &name);
 // Prints the completions of the last of `words`, the words after `sbus`, one per line; ":files" stands for file names.
 void printCompletions(const CLI::App &app, const std::vector<std::string> &words);
 
+// Breaks the lines of help at the terminal's width. Call it before subcommands are added.
+void formatHelp(CLI::App &app);
+
+// Returns the program's version and those of its libraries.
+std::string versionText();
+
 }  // namespace tool

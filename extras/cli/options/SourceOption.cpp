@@ -25,6 +25,8 @@ namespace tool {
 
 namespace {
 
+using BytePace = line::ByteStream::Pace;
+
 int64_t wallUs() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
@@ -141,6 +143,8 @@ void SourceOption::openPipe(Parsed &parsed) const {
   _pipe = std::make_shared<Pipe>(parsed.name);
   const Pipe::Content content = _given.csv.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
   _isLiveText = content == Pipe::Content::Text && _given.playback != Playback::Repeatable;
+  const bool hasPace = content == Pipe::Content::Line || (_isLiveText && _given.playback == Playback::RealTime);
+  _isAtOnce = hasPace && !_given.simulatedTime.given() && _pipe->isFileAtOnce();
   parsed.kind = content == Pipe::Content::Line ? Kind::Stream : Kind::File;
   _waitedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -197,6 +201,21 @@ bool SourceOption::isFile() const {
 
 bool SourceOption::isStream() const {
   return parsed().kind == Kind::Stream;
+}
+
+// A pipe whose frames say when they were read is live, however many come at once: old ones may be the rest of a line
+// that has stopped.
+bool SourceOption::isLive() const {
+  const Kind kind = parsed().kind;
+  if (kind == Kind::File) {
+    return _isLiveText && _given.playback == Playback::RealTime && !_given.simulatedTime.given() &&
+           (!_isAtOnce || file().isRead);
+  }
+  return kind == Kind::Port || (kind == Kind::Stream && !_isAtOnce && !_given.simulatedTime.given());
+}
+
+bool SourceOption::hasFrames() const {
+  return !_given.csv.given() && !(isStream() && _pipe->hasRows());
 }
 
 void SourceOption::rejectEmpty() const {
@@ -283,7 +302,9 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs());
+    const bool isSent = _given.rows == Rows::Sent && !_given.csv.given();  // as frames
+    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs(),
+                                        port.characterUs(), isSent || file().kind != FileKind::Rows);
   }
   return openOnce(port);
 }
@@ -297,10 +318,13 @@ std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &por
     }
     case Kind::Stream:
       if (!_given.csv.given() && !_pipe->hasRows()) {
-        std::fprintf(stderr, "%s: bytes without times: times are not known\n", parsed.name.c_str());
+        std::fprintf(stderr, "%s: bytes without times: times are not known%s\n", parsed.name.c_str(),
+                     _isAtOnce ? ", played as fast as a line" : "");
       }
       return std::make_unique<line::ByteStream>(parsed.name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
-                                                _given.simulatedTime.given());
+                                                _given.simulatedTime.given() ? BytePace::Patient
+                                                : _isAtOnce                  ? BytePace::LineRate
+                                                                             : BytePace::Live);
     case Kind::File:
       return openFile(port);
     case Kind::Values: {
@@ -325,9 +349,8 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   } else {
     input = std::make_unique<FileText>(file().path, name());
   }
-  const bool isLive = _isLiveText && _given.playback == Playback::RealTime && !_given.simulatedTime.given();
   return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
-                                    isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, _given.part.fromUs(),
+                                    isLive() ? TextLine::Clock::Live : TextLine::Clock::OfText, _given.part.fromUs(),
                                     _given.part.toUs());
 }
 
@@ -343,7 +366,7 @@ std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &por
   } else {
     line = openText();
   }
-  if (read.isLate && _given.rows == Rows::Sent) {
+  if (read.isLate && _given.rows == Rows::Sent && !isLive()) {
     return std::make_unique<line::RestoredLine>(std::move(line), read.settings.characterUs());
   }
   if (!isWire()) {

@@ -53,6 +53,11 @@ class SourceOption {
   bool isFile() const;
   bool isStream() const;
 
+  // Returns true for a port, and for a pipe that is written while it is played: what waits there becomes old.
+  bool isLive() const;
+  // Returns false for a live source with a sketch's rows.
+  bool hasFrames() const;
+
   // Throws std::runtime_error if it is a pipe that has ended without a byte.
   void rejectEmpty() const;
 
@@ -115,6 +120,7 @@ class SourceOption {
   mutable std::optional<Parsed> _parsed;            // once it is known
   mutable std::shared_ptr<Pipe> _pipe;              // standard input or a FIFO
   mutable bool _isLiveText = false;                 // the pipe is played while it is being written
+  mutable bool _isAtOnce = false;                   // the pipe holds a file, which comes at once
   mutable double _waitedS = 0;                      // for its first bytes
   mutable std::shared_ptr<const FileSource> _file;  // once it has been read
   mutable std::optional<int64_t> _startUs;          // a port's or pipe's, once it is open

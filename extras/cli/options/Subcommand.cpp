@@ -81,7 +81,7 @@ Option &Option::type(const char *name) {
 }
 
 bool Option::given() const {
-  return _option->count() > 0;
+  return _option != nullptr && _option->count() > 0;
 }
 
 std::string Option::name() const {

@@ -33,7 +33,7 @@ class Option {
   Option &type(const char *name);
 
   // Call these two after the command line has been read.
-  bool given() const;
+  bool given() const;        // false without an option
   std::string name() const;  // "--baud"
 
  private:

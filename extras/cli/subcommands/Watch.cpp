@@ -31,6 +31,7 @@ struct Options {
   double beforeS = 2;
   double afterS = 5;
   double longestS = 600;
+  double syncS = 1;
   unsigned keep = 100;
   double mostMb = 1000;
   bool json = false;
@@ -85,7 +86,7 @@ void run(const Options &options) {
     flush();
   }
   FlightRecorder recorder({"watch " + source.name() + ": " + options.when, toUs(options.beforeS), toUs(options.afterS),
-                           toUs(options.longestS)},
+                           toUs(options.longestS), toUs(options.syncS)},
                           files, input->settings(), source.hasTimes(), source.startUs(),
                           [&](const RecordedEvent &event) {
                             write(options.json ? json(event, source.startUs()) : text(event));
@@ -94,19 +95,20 @@ void run(const Options &options) {
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   bool isRejected = false;  // the newest stretch
+  bool isOver = false;
   const auto tick = [&](uint64_t nowUs, uint64_t sinceUs) {
     recorder.tick(nowUs, condition.holds(line::Moment(observer, nowUs, isRejected)), sinceUs);
   };
   observer.listen([&](const line::Stretch &stretch) {
     isRejected = line::isRejected(stretch);
-    tick(stretch.endUs(), stretch.characters.front().endUs);
+    recorder.put(stretch);
+    if (!isOver) {
+      tick(stretch.endUs(), stretch.characters.front().endUs);
+    }
   });
   SilenceNote silence(source.name(), "frames", source.isFile());
   input->run(
-      [&](const line::Character &character) {
-        recorder.put(character);
-        observer.put(character);
-      },
+      [&](const line::Character &character) { observer.put(character); },
       [&](uint64_t nowUs) {
         observer.idleUntil(input->knownUs());
         recorder.idleUntil(input->knownUs());
@@ -115,6 +117,8 @@ void run(const Options &options) {
         }
         silence.tick(nowUs, observer.counters().frames > 0);
       });
+  isOver = true;
+  observer.finish();
   recorder.finish();
   if (recorder.failures() > 0) {
     throw std::runtime_error(options.folder + ": " + std::to_string(recorder.failures()) +
@@ -135,6 +139,10 @@ void addWatch(CLI::App &app) {
       .option("--longest", options->longestS,
               "the length of a file, in seconds; a longer event goes on in the next one (600)")
       .between(1, 86400)
+      .type("S");
+  subcommand
+      .option("--sync", options->syncS, "how often to write a file to the disk itself, in seconds; 0: never (1)")
+      .between(0, 3600)
       .type("S");
   subcommand.option("--keep", options->keep, "how many files to keep, the newest (100)").between(1, 99999).type("N");
   subcommand.option("--most", options->mostMb, "how many megabytes to keep (1000)").between(0.001, 1e6).type("MB");

@@ -5,12 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "line/system/System.h"
+
 namespace tool {
 
 namespace {
 
-constexpr uint64_t GapWithinUs = 100000;  // a file may run on for this long, to end between two frames
-constexpr uint64_t EventUs = 100000;      // an event's frame is recognised within this time
+constexpr uint64_t BetweenWithinUs = 100000;  // a file may run on for this long, to end before or after a frame
+constexpr uint64_t EventUs = 100000;          // an event's frame is recognised within this time
 
 }  // namespace
 
@@ -24,20 +26,20 @@ FlightRecorder::FlightRecorder(const Plan &plan, EventFiles files, const line::L
       _tell(std::move(tell)) {
 }
 
-void FlightRecorder::put(const line::Character &character) {
-  const uint64_t silenceUs = character.endUs - std::exchange(_lastUs, character.endUs);
-  const bool isGap = silenceUs > 2 * uint64_t{_settings.characterUs()};
-  if (_open && character.endUs > _open->firstUs + _plan.longestUs + (isGap ? 0 : GapWithinUs)) {
-    close(RecordedEvent::Kind::Continued, character.endUs);
-    open(RecordedEvent::Kind::Continued, character.endUs, character.endUs);
+void FlightRecorder::put(const line::Stretch &stretch) {
+  const uint64_t firstUs = stretch.characters.front().endUs;
+  const bool isBetween = std::exchange(_wasFrame, stretch.isFrame()) || stretch.isFrame();
+  const uint64_t longestUs = _plan.longestUs + (isBetween ? 0 : BetweenWithinUs);
+  if (_open && stretch.endUs() > _open->firstUs + longestUs) {
+    close(RecordedEvent::Kind::Continued, firstUs);
+    open(RecordedEvent::Kind::Continued, firstUs, firstUs);
   }
   if (_open) {
-    write(character);
-    _goneUs = character.endUs;
+    write(stretch.characters);
     return;
   }
-  _lately.push_back(character);
-  forget(character.endUs - std::min(character.endUs, _plan.beforeUs + EventUs));
+  _lately.push_back(stretch.characters);
+  forget(stretch.endUs() - std::min(stretch.endUs(), _plan.beforeUs + EventUs));
 }
 
 void FlightRecorder::idleUntil(uint64_t us) {
@@ -58,22 +60,24 @@ void FlightRecorder::tick(uint64_t nowUs, bool happens, uint64_t sinceUs) {
     close(RecordedEvent::Kind::End, nowUs);
     _isEvent = false;
   }
+  const uint64_t clockUs = line::clockUs();
+  if (_open && _plan.syncUs > 0 && clockUs >= _syncedUs + _plan.syncUs) {
+    _open->file.sync();
+    checkFile();
+    _syncedUs = line::clockUs();
+  }
 }
 
-// Drops the characters that ended before this time.
+// Drops what began before this time.
 void FlightRecorder::forget(uint64_t us) {
-  while (!_lately.empty() && _lately.front().endUs < us) {
-    _goneUs = _lately.front().endUs;
+  while (!_lately.empty() && _lately.front().front().endUs < us) {
     _lately.pop_front();
   }
 }
 
 void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sinceUs) {
   forget(std::min(nowUs - std::min(nowUs, _plan.beforeUs), sinceUs));
-  if (!_lately.empty() && _lately.front().endUs < sinceUs) {
-    dropPart();
-  }
-  const uint64_t firstUs = _lately.empty() ? nowUs : _lately.front().endUs;
+  const uint64_t firstUs = _lately.empty() ? nowUs : _lately.front().front().endUs;
   const uint64_t zeroUs = _startUs ? firstUs - std::min<uint64_t>(firstUs, _settings.characterUs()) : 0;
   const auto beganUs = _startUs ? std::optional<int64_t>(*_startUs + static_cast<int64_t>(zeroUs)) : std::nullopt;
   std::string name;
@@ -86,33 +90,23 @@ void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sin
     name.clear();
   }
   _tell({kind, nowUs, name, ""});
-  for (const line::Character &character : std::exchange(_lately, {})) {
-    write(character);
+  for (const Characters &each : std::exchange(_lately, {})) {
+    write(each);
   }
 }
 
-// Drops the rest of a frame without its beginning: the characters before the first gap.
-void FlightRecorder::dropPart() {
-  const uint64_t gapUs = 2 * uint64_t{_settings.characterUs()};
-  if (_lately.front().endUs > _goneUs + gapUs) {
-    return;
-  }
-  const size_t most = std::min<size_t>(_lately.size(), sbus::FrameSize24);
-  for (size_t i = 1; i < most; i++) {
-    if (_lately[i].endUs - _lately[i - 1].endUs > gapUs) {
-      _lately.erase(_lately.begin(), _lately.begin() + static_cast<std::ptrdiff_t>(i));
-      return;
+void FlightRecorder::write(const Characters &characters) {
+  for (line::Character character : characters) {
+    if (_open) {
+      character.endUs -= _open->zeroUs;
+      _open->recorder.put(character);
     }
+    checkFile();
   }
 }
 
-void FlightRecorder::write(line::Character character) {
-  if (!_open) {
-    return;
-  }
-  character.endUs -= _open->zeroUs;
-  _open->recorder.put(character);
-  if (!_open->file.failure().empty()) {
+void FlightRecorder::checkFile() {
+  if (_open && !_open->file.failure().empty()) {
     fail(_open->file.failure());
     _open.reset();
   }
@@ -123,6 +117,9 @@ void FlightRecorder::close(RecordedEvent::Kind kind, uint64_t nowUs) {
     return;
   }
   _open->recorder.finish();
+  if (_plan.syncUs > 0) {
+    _open->file.sync();
+  }
   const std::string failure = _open->file.finish();
   if (!failure.empty()) {
     fail(failure);

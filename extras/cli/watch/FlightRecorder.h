@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/LineRecorder.h"
 #include "cli/watch/EventFiles.h"
+#include "line/Segments.h"
 #include "line/recording/RecordingFile.h"
 
 namespace tool {
@@ -30,13 +32,15 @@ class FlightRecorder {
     uint64_t beforeUs;
     uint64_t afterUs;
     uint64_t longestUs;  // a file's length
+    uint64_t syncUs;     // how often its data is written to the disk itself; 0: when the system wants
   };
 
   // `startUs`: time 0 in us since 1970; if it is known, times in each file count from the file's beginning.
   FlightRecorder(const Plan &plan, EventFiles files, const line::LineSettings &settings, bool hasTimes,
                  std::optional<int64_t> startUs, std::function<void(const RecordedEvent &)> tell);
 
-  void put(const line::Character &character);
+  // Takes the next stretch of the line: files begin and end between two of them, so with whole frames.
+  void put(const line::Stretch &stretch);
 
   // `happens`: whether the event is on at `nowUs`. `sinceUs`: when the first character of its frame ended, if any.
   void tick(uint64_t nowUs, bool happens, uint64_t sinceUs = UINT64_MAX);
@@ -68,10 +72,12 @@ class FlightRecorder {
     LineRecorder recorder;
   };
 
+  using Characters = std::vector<line::Character>;
+
   void forget(uint64_t us);
   void open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sinceUs);
-  void dropPart();
-  void write(line::Character character);
+  void write(const Characters &characters);
+  void checkFile();
   void close(RecordedEvent::Kind kind, uint64_t nowUs);
   void fail(const std::string &reason);
 
@@ -81,12 +87,12 @@ class FlightRecorder {
   const bool _hasTimes;
   const std::optional<int64_t> _startUs;
   const std::function<void(const RecordedEvent &)> _tell;
-  std::deque<line::Character> _lately;  // of the last `beforeUs`, without those already in a file
+  std::deque<Characters> _lately;  // the stretches of the last `beforeUs`, without those already in a file
   std::unique_ptr<Open> _open;
   bool _isEvent = false;
   uint64_t _nowUs = 0;
-  uint64_t _lastUs = 0;  // the newest character's end
-  uint64_t _goneUs = 0;  // the end of the last dropped character
+  bool _wasFrame = false;  // the newest stretch
+  uint64_t _syncedUs = 0;  // by clockUs()
   uint64_t _untilUs = 0;
   unsigned _failures = 0;
 };

@@ -12,22 +12,23 @@
 
 namespace line {
 
-ByteStream::ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, bool patient)
+ByteStream::ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, Pace pace)
     : _name(name == "-" ? "standard input" : name),
       _file(file),
       _begin(std::move(begin)),
       _reads(characterUs),
-      _patient(patient) {
+      _characterUs(characterUs),
+      _pace(pace) {
   if (isatty(_file) != 0) {
     throw std::runtime_error(_name + ": is a terminal; pipe S.Bus bytes into it, as in: cat bytes.bin | sbus hex -");
   }
 }
 
 bool ByteStream::next(uint64_t nowUs, Character &character) {
-  if (_waiting.empty() || (!_patient && _waiting.size() < ReadMax)) {
+  if (_waiting.empty() || (_pace == Pace::LineRate && _waiting.size() < ReadMax)) {
     fill(nowUs);
   }
-  if (_waiting.empty() || _waiting.front().endUs > nowUs) {
+  if (_waiting.empty() || (_pace != Pace::Live && _waiting.front().endUs > nowUs)) {
     return false;
   }
   character = _waiting.front();
@@ -51,8 +52,10 @@ void ByteStream::fill(uint64_t nowUs) {
     _begin.erase(0, count);
     return;
   }
-  if (_ended || !isReadable(_file, _patient ? -1 : 0)) {
-    _reads.empty(_patient ? 0 : nowUs);
+  const bool isPatient = _pace == Pace::Patient;
+  if (_ended || !isReadable(_file, isPatient ? -1 : 0)) {
+    _reads.empty(isPatient ? 0 : nowUs);
+    _ages.empty();
     return;
   }
   char bytes[ReadMax];
@@ -67,9 +70,12 @@ void ByteStream::fill(uint64_t nowUs) {
 }
 
 void ByteStream::take(std::string_view bytes, uint64_t nowUs) {
-  _reads.begin(bytes.size(), _patient ? 0 : nowUs);
+  const bool isLive = _pace == Pace::Live;
+  _reads.begin(bytes.size(), _pace == Pace::Patient ? 0 : nowUs, isLive ? PortReads::UsualLatencyUs : UINT64_MAX);
+  const uint64_t sinceUs = isLive ? _ages.came(bytes.size() * _characterUs) : 0;
   for (const char byte : bytes) {
     _waiting.push_back(_reads.next(static_cast<uint8_t>(byte)));
+    _waiting.back().sinceUs = sinceUs;
     _lastEndUs = _waiting.back().endUs;
   }
 }

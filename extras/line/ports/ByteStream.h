@@ -6,16 +6,22 @@
 #include <string_view>
 
 #include "line/Line.h"
+#include "line/ports/PipeAges.h"
 #include "line/ports/PortReads.h"
 
 namespace line {
 
-// A pipe delivers a frame in pieces, like a port. Bytes that arrive faster than on a line are held back.
+// A pipe delivers a frame in pieces, like a port.
 class ByteStream : public Line {
  public:
-  // Reads `file`, which the caller closes; `begin` has already been read from it. If `patient`, next() waits for bytes,
-  // whatever the time, and there is no silence between them. Throws std::runtime_error.
-  ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, bool patient);
+  enum class Pace {
+    Live,      // bytes are played as they come
+    LineRate,  // a file: bytes that come faster than on a line are held back
+    Patient    // next() waits for bytes, whatever the time, and there is no silence between them
+  };
+
+  // Reads `file`, which the caller closes; `begin` has already been read from it. Throws std::runtime_error.
+  ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, Pace pace);
   ByteStream(const ByteStream &) = delete;
   ByteStream &operator=(const ByteStream &) = delete;
 
@@ -24,6 +30,7 @@ class ByteStream : public Line {
   // Returns the time up to which all bytes are known. After its end the stream is silent.
   uint64_t knownUs(uint64_t nowUs) const override { return _ended && _waiting.empty() ? nowUs : _reads.knownUs(); }
   bool wait() override;
+  bool isBroken() const override { return _pace == Pace::Live; }
   std::string failure() const override { return _failure; }
 
  private:
@@ -36,7 +43,9 @@ class ByteStream : public Line {
   const int _file;
   std::string _begin;
   PortReads _reads;
-  bool _patient;
+  const uint32_t _characterUs;
+  const Pace _pace;
+  PipeAges _ages;
   std::deque<Character> _waiting;
   uint64_t _lastEndUs = 0;
   bool _ended = false;

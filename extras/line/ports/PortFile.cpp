@@ -69,6 +69,16 @@ PortFile::~PortFile() {
   }
 }
 
+bool PortFile::holdsBytes() {
+  return _port ? sp_output_waiting(_port.get()) > 0 : _unread && _unread->waits();
+}
+
+void PortFile::discard() {
+  if (_port) {
+    sp_flush(_port.get(), SP_BUF_OUTPUT);
+  }
+}
+
 void PortFile::Close::operator()(sp_port *port) const {
   sp_close(port);  // sp_free_port() leaves it open
   sp_free_port(port);

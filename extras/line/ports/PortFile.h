@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "line/LineSettings.h"
+#include "line/ports/Unread.h"
 
 namespace line {
 
@@ -33,6 +35,15 @@ class PortFile {
   // Writes without waiting. Returns the number of bytes; -1 if the port is gone.
   std::ptrdiff_t write(const uint8_t *bytes, size_t size);
 
+  // Returns true if bytes that were written have not left yet. On a pseudo-terminal see Unread.
+  bool holdsBytes();
+
+  // Returns true if holdsBytes() may be wrong: see Unread.
+  bool mayMissReads() const { return _unread.has_value(); }
+
+  // Discards these bytes. On a pseudo-terminal they stay.
+  void discard();
+
   // Waits up to `ms` for bytes.
   void wait(int ms);
 
@@ -49,6 +60,7 @@ class PortFile {
 
   std::unique_ptr<sp_port, Close> _port;  // null for a pseudo-terminal
   int _file = -1;                         // a pseudo-terminal's
+  std::optional<Unread> _unread;          // of a pseudo-terminal to write to
   bool _errors = false;                   // Windows: waiting characters have errors
 };
 

@@ -22,8 +22,8 @@ class PortReads {
   // Takes an empty read at `nowUs`.
   void empty(uint64_t nowUs) { _emptyUs = nowUs; }
 
-  // Takes a read of `count` characters at `nowUs`; get each with next(). None ends more than `aheadUs` after the read:
-  // after the PC stalls, a read returns the bytes of seconds at once.
+  // Takes a read of `count` characters at `nowUs`; get each with next(). After the PC stalls, a read returns the bytes
+  // of seconds at once: those that would end more than `aheadUs` after the read follow each other after 1 us.
   void begin(size_t count, uint64_t nowUs, uint64_t aheadUs = UINT64_MAX) {
     _latestUs = aheadUs < UINT64_MAX ? nowUs + aheadUs : UINT64_MAX;
     const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
@@ -37,7 +37,7 @@ class PortReads {
     character.value = value;
     character.bad = bad;
     character.lateUs = _readLateUs;
-    _nextUs = std::min(_nextUs + _characterUs, std::max(_nextUs, _latestUs));
+    _nextUs = std::min(_nextUs + _characterUs, std::max(_nextUs + 1, _latestUs));
     return character;
   }
 

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "line/ports/Unread.h"
 
 namespace line {
 
@@ -21,12 +24,16 @@ class PseudoTerminal {
   // Writes without waiting; bytes that no program reads are lost, as on a board's USB. Returns the number written.
   size_t write(const uint8_t *bytes, size_t size);
 
+  // Returns true if the reader has not read the bytes written last. See Unread.
+  bool holdsBytes() { return _unread && _unread->waits(); }
+
   // Reads up to `size` bytes written to the other end, without waiting. Returns the number read.
   size_t read(uint8_t *bytes, size_t size);
 
  private:
   int _handle;
   std::string _name;
+  std::optional<Unread> _unread;
 };
 
 }  // namespace line

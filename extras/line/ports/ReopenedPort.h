@@ -16,6 +16,7 @@ class ReopenedPort : public Line {
   uint64_t knownUs(uint64_t nowUs) const override { return _open == nullptr ? 0 : _open->knownUs(nowUs); }
   bool wait() override;
   bool finished(uint64_t) const override { return _port.finished(); }
+  bool isBroken() const override { return true; }
   std::string note() const override { return _open == nullptr ? "" : _open->note(); }
   std::string news() override { return _port.news(); }
 

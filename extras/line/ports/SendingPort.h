@@ -15,6 +15,9 @@ class SendingPort {
   // Writes without waiting; bytes are lost if the port is full or gone. Returns the number written.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
+  // Returns the port; null while it is gone.
+  PortFile *at(uint64_t nowUs) { return _port.at(nowUs); }
+
   // See Line::news().
   std::string news() { return _port.news(); }
 

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "line/system/System.h"
+
 namespace line {
 
 namespace {
@@ -19,6 +21,7 @@ SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
       _latencyFile(latencyFile(device)),
       _latencyMs(latencyMs(_latencyFile)),
       _reads(settings.characterUs(), _latencyMs ? *_latencyMs * 1000 : PortReads::UsualLatencyUs) {
+  _sinceUs = clockUs();
   if (!_port.markErrors()) {
     throw std::runtime_error(device + ": the system does not report parity and framing errors; name another port");
   }
@@ -65,12 +68,14 @@ uint64_t SerialPort::nowUs() const {
 void SerialPort::poll() {
   uint8_t bytes[256];
   const uint64_t askedUs = nowUs();
+  const uint64_t clockAskedUs = clockUs();
   const std::ptrdiff_t count = _port.read(bytes, sizeof bytes);
   if (count > 0) {
     take(bytes, static_cast<size_t>(count));
   } else {
     _isSilent = askedUs > _lastReadUs + uint64_t{1000} * static_cast<unsigned>(_reads.knownAfterMs());
     _reads.empty(askedUs);
+    _sinceUs = clockAskedUs;
   }
   if (count < 0) {
     _failure = _device + ": the port is gone. Plug the adapter in and start again";
@@ -91,6 +96,7 @@ void SerialPort::take(const uint8_t *bytes, size_t count) {
   }
   for (const Character &character : characters) {
     _waiting.push_back(_reads.next(character.value, character.bad));
+    _waiting.back().sinceUs = _sinceUs;
   }
 }
 

@@ -48,6 +48,7 @@ class SerialPort : public Line {
   bool _started = false;
   Clock::time_point _zero;
   uint64_t _lastReadUs = 0;
+  uint64_t _sinceUs;       // nothing waited at that time of clockUs()
   bool _isSilent = false;  // for longer than bytes can be delayed
 };
 

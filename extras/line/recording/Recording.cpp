@@ -1,5 +1,6 @@
 #include "line/recording/Recording.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -187,6 +188,12 @@ void RecordingReader::line(std::string_view text) {
     return;
   }
   _number++;
+  const size_t nul = text.find('\0');
+  if (nul != std::string_view::npos) {
+    _nuls += static_cast<unsigned long>(std::count(text.begin(), text.end(), '\0'));
+    const size_t blank = text.substr(0, nul).rfind(' ');
+    text = text.substr(0, blank == std::string_view::npos || blank == text.find(' ') ? 0 : blank);
+  }
   _recording.error = text.size() > RecordingLineMax
                          ? "line is too long: at most " + std::to_string(RecordingLineMax) + " characters are expected"
                          : parse(text);

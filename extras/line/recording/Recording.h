@@ -115,7 +115,7 @@ bool hasTimeColumn(std::string_view text);
 // Returns true if the text is not a recording, but a sketch's rows.
 bool isCsvText(std::string_view beginning);
 
-// Reads a recording line by line.
+// Reads a recording line by line. NULs end a line: what precedes them is read, up to its last whole byte.
 class RecordingReader {
  public:
   // `characterUs` is the time of a character on the line. If `csv`, the lines are a sketch's rows: every 200 ms, as the
@@ -131,6 +131,9 @@ class RecordingReader {
   Characters take() { return std::exchange(_recording.characters, {}); }
 
   bool isCsv() const { return _csv; }
+
+  // Returns how many NULs were read around. A file system leaves them where the power failed.
+  unsigned long nuls() const { return _nuls; }
 
   // Returns what is wrong with the newest line, or nothing.
   const std::string &error() const { return _recording.error; }
@@ -151,6 +154,7 @@ class RecordingReader {
   Recording _recording;
   Character _last;  // the newest one
   bool _any = false;
+  unsigned long _nuls = 0;
   unsigned _number = 0;    // of the last line
   bool _hasTimes = false;  // its rows have times
 };

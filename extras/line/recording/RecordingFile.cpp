@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
@@ -61,6 +62,15 @@ void LineFile::write(const std::string &lines) {
     }
   }
   _size += _failure.empty() ? static_cast<long>(lines.size()) : 0;
+}
+
+void LineFile::sync() {
+  if (_failure.empty() && !syncFile(_file)) {
+    fail();
+  }
+  if (!std::exchange(_isSynced, true)) {
+    syncFolder(std::filesystem::path(_name).parent_path().string());
+  }
 }
 
 // A full disk takes only part of a line; removes that part.

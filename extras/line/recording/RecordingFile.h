@@ -23,6 +23,9 @@ class LineFile {
   // Writes whole lines; nothing more after an error.
   void write(const std::string &lines);
 
+  // Waits until the disk itself has the lines, and the folder the file: they survive a power cut.
+  void sync();
+
   // Closes the file. Returns the error, if any.
   std::string finish();
 
@@ -33,7 +36,8 @@ class LineFile {
 
   std::string _name;
   int _file;
-  long _size = 0;  // of the whole lines
+  bool _isSynced = false;  // the folder has the file
+  long _size = 0;          // of the whole lines
   std::string _failure;
 };
 

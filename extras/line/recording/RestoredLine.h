@@ -23,6 +23,7 @@ class RestoredLine : public Line {
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs) && _waiting.empty(); }
   std::string failure() const override { return _line->failure(); }
+  std::string news() override { return _line->news(); }
 
  private:
   static constexpr uint64_t PollUs = 200;       // polling the port more often is useless

@@ -26,6 +26,7 @@ class NoisyLine : public Line {
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
   bool canAdvanceTo(uint64_t us) override { return _line->canAdvanceTo(us); }
   std::string failure() const override { return _line->failure(); }
+  std::string news() override { return _line->news(); }
 
  private:
   std::unique_ptr<Line> _line;

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <ctime>
 
 #include "line/system/System.h"
 
@@ -51,6 +52,17 @@ bool isReadable(int file, int ms) {
   return select(file + 1, &files, nullptr, nullptr, ms < 0 ? nullptr : &time) > 0;
 }
 
+uint64_t clockUs() {
+#if defined(__linux__)
+  constexpr clockid_t Clock = CLOCK_BOOTTIME;
+#else
+  constexpr clockid_t Clock = CLOCK_MONOTONIC;  // macOS: goes on while the PC sleeps
+#endif
+  timespec time{};
+  clock_gettime(Clock, &time);
+  return static_cast<uint64_t>(time.tv_sec) * 1000000 + static_cast<uint64_t>(time.tv_nsec) / 1000;
+}
+
 int openTemporary() {
   std::FILE *const stream = std::tmpfile();
   if (stream == nullptr) {
@@ -59,6 +71,18 @@ int openTemporary() {
   const int file = fcntl(fileno(stream), F_DUPFD_CLOEXEC, 3);
   std::fclose(stream);
   return file;
+}
+
+bool syncFile(int file) {
+  return fsync(file) == 0 || errno == EINVAL || errno == EINTR;
+}
+
+void syncFolder(const std::string &name) {
+  const int folder = open(name.empty() ? "." : name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (folder >= 0) {
+    fsync(folder);
+    close(folder);
+  }
 }
 
 // A name that does not exist is a port if it begins with /dev/, otherwise a missing file.

@@ -62,6 +62,9 @@ void PortFile::openPseudoTerminal(const std::string &device, Way way) {
   }
   cfmakeraw(&settings);
   tcsetattr(_file, TCSANOW, &settings);
+  if (way == Way::Write) {
+    _unread.emplace(_file);
+  }
 }
 
 int PortFile::file() const {
@@ -105,6 +108,9 @@ std::ptrdiff_t PortFile::read(uint8_t *bytes, size_t size) {
 
 std::ptrdiff_t PortFile::write(const uint8_t *bytes, size_t size) {
   const ssize_t count = ::write(file(), bytes, size);
+  if (_unread && count > 0) {
+    _unread->wrote();
+  }
   return count >= 0 ? count : errno == EAGAIN || errno == EINTR ? 0 : -1;
 }
 

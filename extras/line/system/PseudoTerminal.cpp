@@ -45,6 +45,7 @@ PseudoTerminal::PseudoTerminal() : _handle(posix_openpt(O_RDWR | O_NOCTTY | O_CL
     throw std::runtime_error("the system provides no pseudo-terminal (" + reason + "); do without one");
   }
   _name = name;
+  _unread.emplace(_handle);
 }
 
 PseudoTerminal::~PseudoTerminal() {
@@ -58,7 +59,11 @@ bool PseudoTerminal::hasReader() const {
 
 size_t PseudoTerminal::write(const uint8_t *bytes, size_t size) {
   const ssize_t count = hasReader() ? ::write(_handle, bytes, size) : 0;
-  return count > 0 ? static_cast<size_t>(count) : 0;  // otherwise it is full, or the reader has just left
+  if (count <= 0) {
+    return 0;  // it is full, or the reader has just left
+  }
+  _unread->wrote();
+  return static_cast<size_t>(count);
 }
 
 size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -51,8 +52,19 @@ void onStop(void (*handler)(int signal));
 // ends the wait early with false.
 bool isReadable(int file, int ms);
 
+// Returns microseconds of a clock that all programs of this PC share, never goes back, and goes on while the PC sleeps:
+// the age of a frame in a pipe is a difference of two of them. The date would jump when it is set.
+uint64_t clockUs();
+
 // Opens a file without a name, which vanishes when it is closed. On failure returns -1 and sets errno.
 int openTemporary();
+
+// Waits until the disk itself has what was written to the file. Returns false and sets errno on failure; a pipe or a
+// file that only exists in memory is no failure.
+bool syncFile(int file);
+
+// Does the same for the entries of a folder; "" is the current one. Windows writes them by itself.
+void syncFolder(const std::string &name);
 
 // Returns true for the name of a port, whether or not it exists.
 bool isPortName(const std::string &name);

@@ -7,6 +7,7 @@
 #include <windows.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -99,6 +100,11 @@ bool isReadable(int file, int ms) {
   return true;
 }
 
+uint64_t clockUs() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();  // QueryPerformanceCounter()
+  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+}
+
 // std::tmpfile() would use the drive's root, where few users may write.
 int openTemporary() {
   char name[MAX_PATH];
@@ -107,6 +113,13 @@ int openTemporary() {
     return -1;
   }
   return open(name, _O_RDWR | _O_TEMPORARY | CloseOnExec);
+}
+
+bool syncFile(int file) {
+  return _commit(file) == 0 || errno == EBADF;
+}
+
+void syncFolder(const std::string & /*name*/) {
 }
 
 bool isPortName(const std::string &name) {

@@ -17,6 +17,8 @@ class SampledLine : public Line {
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
   std::string failure() const override { return _line->failure(); }
+  bool isBroken() const override { return _line->isBroken(); }
+  std::string news() override { return _line->news(); }
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
   bool wait() override { return _agrees && _line->wait(); }
   bool canAdvanceTo(uint64_t us) override { return _line->canAdvanceTo(us); }

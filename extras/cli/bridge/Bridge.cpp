@@ -1,0 +1,167 @@
+#include "cli/bridge/Bridge.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+#include "cli/Output.h"
+#include "line/Silence.h"
+#include "line/system/System.h"
+
+namespace tool {
+
+namespace {
+
+using Kind = line::Stretch::Kind;
+
+constexpr uint64_t FillUs = 9000;  // the period of the paper's receiver
+
+}  // namespace
+
+Receiver::Receiver(const SourceOption &option)
+    : source(option), input(option.open()), silence(option.name(), "frames") {
+  observer.reset(0, input->settings().characterUs());
+}
+
+Bridge::Bridge(BridgeOptions &options, Receiver &first, Receiver *second, const std::string &to)
+    : _options(options),
+      _receivers{&first, second},
+      _output(to, first.input->settings()),
+      _choice(static_cast<uint64_t>(options.backS * 1e6)),
+      _isText(to == "-"),
+      _hasTimes(first.source.hasTimes() && (second == nullptr || second->source.hasTimes())) {
+  for (const size_t i : {size_t{0}, size_t{1}}) {
+    if (_receivers[i] != nullptr) {
+      _receivers[i]->observer.listen([this, i](const line::Stretch &stretch) { take(i, stretch); });
+    }
+  }
+}
+
+void Bridge::run() {
+  Receiver &first = *_receivers[0];
+  Receiver *const other = _receivers[1];
+  if (_isText) {
+    write(first.source.json().line());
+  }
+  const Input::Taker one = taker(0);
+  if (other != nullptr) {
+    Input::runBoth(*first.input, one, *other->input, taker(1));
+  } else {
+    first.input->run(one.put, one.tick);
+  }
+  if (isBroken()) {
+    _sentUs = 0;
+    fill(first.input->nowUs());
+  } else if (_isText) {
+    write(Json("end").counts(first.observer.counters()).line());
+  }
+  _output.finish();
+  std::fprintf(stderr, "%s\n", _output.summary().c_str());
+  if (_options.latency) {
+    std::fprintf(stderr, "%s\n", first.latency.text("frame").c_str());
+  }
+  flush();
+  if (isBroken()) {
+    throw std::runtime_error(first.source.name() +
+                             " ended before its line did: the program that writes it is gone; start it again");
+  }
+  first.silence.end(first.observer.counters().frames + (other != nullptr ? other->observer.counters().frames : 0) > 0);
+}
+
+Input::Taker Bridge::taker(size_t i) {
+  Receiver &receiver = *_receivers[i];
+  return {[&receiver](const line::Character &character) {
+            receiver.latency.read();
+            receiver.observer.put(character);
+          },
+          [this, &receiver](uint64_t nowUs) { tick(receiver, nowUs); }};
+}
+
+void Bridge::take(size_t i, const line::Stretch &stretch) {
+  Receiver &receiver = *_receivers[i];
+  const line::Character &last = stretch.characters.back();
+  bool isSent = false;
+  if (stretch.isFrame()) {
+    const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
+    receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
+    if (isFresh && stretch.kind != Kind::Extra) {
+      _choice.put(i, last.endUs, receiver.observer.newest());
+    }
+    if (i == chosen(last.endUs)) {
+      _end = last.value;
+      isSent = send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
+    }
+  }
+  receiver.latency.passed(stretch.characters.size(), isSent && _options.latency);
+}
+
+void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
+  receiver.observer.idleUntil(receiver.input->knownUs());
+  receiver.silence.tick(nowUs, receiver.observer.counters().frames > 0);
+  receiver.latency.tick();
+  const bool waits = _output.tick();
+  if (fill(nowUs) || waits) {
+    receiver.input->hurry();
+  }
+}
+
+// With --trainer, always chooses the teacher's receiver.
+size_t Bridge::chosen(uint64_t nowUs) {
+  const size_t chosen = _options.trainer.given() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
+  if (chosen != _chosen) {
+    std::fprintf(stderr, "%.3f s: %s %s\n", static_cast<double>(nowUs) / 1e6,
+                 _receivers[chosen]->source.name().c_str(), chosen == 0 ? "has its link back" : "takes over");
+    _chosen = chosen;
+  }
+  return chosen;
+}
+
+bool Bridge::haveEnded() const {
+  return std::all_of(std::begin(_receivers), std::end(_receivers),
+                     [](const Receiver *receiver) { return receiver == nullptr || receiver->input->hasEnded(); });
+}
+
+bool Bridge::isBroken() const {
+  return haveEnded() && _receivers[0]->input->isBroken();
+}
+
+// While no fresh frames arrive, sends the newest values with both flags, like a receiver without a link. The end of a
+// file is no silence of the line. Returns true if it has to.
+bool Bridge::fill(uint64_t nowUs) {
+  Receiver &receiver = *_receivers[chosen(nowUs)];
+  const bool isStale = receiver.observer.state(nowUs) == sbus::LinkState::Stale ||
+                       nowUs > receiver.freshUs + line::SilenceUs || isBroken();
+  if (receiver.observer.newest().count == 0 || !isStale || (haveEnded() && !receiver.source.isLive())) {
+    return false;
+  }
+  if (nowUs >= _sentUs + FillUs) {
+    line::Character last;
+    last.endUs = nowUs;
+    last.sinceUs = line::clockUs();
+    send(receiver.observer.has24() ? Kind::Frame24 : Kind::Frame, last, 0);
+  }
+  return true;
+}
+
+// Sends the newest values of the chosen receiver; `last` is the frame's last character, and a frame with header 2F has
+// its own `flags`. Returns true if nothing delayed them.
+bool Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
+  const uint64_t nowUs = last.endUs;
+  Receiver &receiver = *_receivers[_chosen];
+  const bool isFresh = nowUs <= receiver.freshUs + line::SilenceUs && !isBroken();
+  const sbus::LinkState state = isFresh ? receiver.observer.state(nowUs) : sbus::LinkState::Stale;
+  const line::Values &newest = receiver.observer.newest();
+  BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
+                     kind == Kind::Extra ? line::withFlags(newest, flags) : newest,
+                     _options.keepsEnd ? _end : uint8_t{0}, last.sinceUs, last.lateUs};
+  if (_options.trainer.given() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
+    _options.trainer.apply(frame.values, _receivers[1]->observer.newest());
+  }
+  _options.rules.apply(frame.values.raw.data());
+  _sentUs = nowUs;
+  return _options.failsafe.apply(state, kind == Kind::Extra, frame.values) && _output.put(frame);
+}
+
+}  // namespace tool

@@ -1,0 +1,81 @@
+// Forwards the frames of a line while they are fresh, and failsafe frames otherwise: for `bridge`, and for `send` of a
+// live line.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "cli/Input.h"
+#include "cli/Latency.h"
+#include "cli/SilenceNote.h"
+#include "cli/bridge/ChannelRules.h"
+#include "cli/bridge/FailsafeOption.h"
+#include "cli/bridge/FrameOutput.h"
+#include "cli/bridge/TrainerOption.h"
+#include "cli/bridge/TwoReceivers.h"
+#include "cli/options/SourceOption.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+// What happens to the frames.
+struct BridgeOptions {
+  BridgeOptions() = default;  // nothing: they keep their bytes
+  explicit BridgeOptions(Subcommand &subcommand)
+      : rules(subcommand), failsafe(subcommand), trainer(subcommand), keepsEnd(false) {}
+
+  ChannelRules rules;
+  FailsafeOption failsafe;
+  TrainerOption trainer;
+  double backS = 1;
+  bool latency = false;
+  bool keepsEnd = true;  // the end byte; otherwise 00
+};
+
+struct Receiver {
+  explicit Receiver(const SourceOption &option);
+
+  const SourceOption &source;
+  const std::unique_ptr<Input> input;
+  SilenceNote silence;
+  line::Observer observer;
+  Latency latency;
+  uint64_t freshUs = 0;  // the end of the newest frame that may leave
+};
+
+class Bridge {
+ public:
+  // `second`: another receiver, or null. `to`: see FrameOutput. Throws std::runtime_error.
+  Bridge(BridgeOptions &options, Receiver &first, Receiver *second, const std::string &to);
+  Bridge(const Bridge &) = delete;
+  Bridge &operator=(const Bridge &) = delete;
+
+  // See Destination.
+  bool waitForReader() const { return _output.waitForReader(); }
+
+  // Forwards frames until the receivers end. Throws std::runtime_error, also if a live line ends that should not.
+  void run();
+
+ private:
+  Input::Taker taker(size_t i);
+  void take(size_t i, const line::Stretch &stretch);
+  void tick(Receiver &receiver, uint64_t nowUs);
+  size_t chosen(uint64_t nowUs);
+  bool haveEnded() const;
+  bool isBroken() const;
+  bool fill(uint64_t nowUs);
+  bool send(line::Stretch::Kind kind, const line::Character &last, uint8_t flags);
+
+  BridgeOptions &_options;
+  Receiver *const _receivers[2];
+  FrameOutput _output;
+  TwoReceivers _choice;
+  const bool _isText;
+  const bool _hasTimes;
+  size_t _chosen = 0;
+  uint64_t _sentUs = 0;
+  uint8_t _end = 0;  // the newest frame's end byte
+};
+
+}  // namespace tool
