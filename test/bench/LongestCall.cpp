@@ -23,7 +23,7 @@ constexpr uint32_t IdleUs = 2 * line::CharacterUs;
 
 // A little more than was found with GCC 12.2: 7987, and 3637 for 16 bytes.
 constexpr uint32_t MostPerCall = 8400;
-constexpr uint32_t MostPerByte = 240;
+constexpr uint32_t MostPerByte = 270;
 
 // In instructions. A call of the port takes more on the board: an emulated Grasshopper takes 1.54 cycles for each
 // instruction, 226 for each call of its port, and 10 for each byte.
