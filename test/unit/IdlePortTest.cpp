@@ -158,7 +158,7 @@ TEST_CASE("calls that come late by up to 2 ms, as behind other work at their lev
 
 TEST_CASE("a frame that lost characters does not join the next one, wherever it ends in the port's ring") {
   for (const Payload payload : Payloads) {
-    for (const uint64_t periodUs : {4 * Ms, 6300ul, 7 * Ms, 9 * Ms, 14 * Ms}) {
+    for (const uint64_t periodUs : {4 * Ms, uint64_t{6300}, 7 * Ms, 9 * Ms, 14 * Ms}) {
       for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
         for (const size_t lost : {1u, 2u, 3u, 7u, 12u, 20u}) {
           INFO("payload ", static_cast<int>(payload), ", periodUs ", periodUs, ", ringAt ", ringAt, ", lost ", lost);

@@ -209,7 +209,7 @@ TEST_CASE(
 
 TEST_CASE("a wide gap inside rejects, at each place; a gap of up to 1.5 ms more than the characters take does not") {
   for (size_t place = 1; place < 25; place++) {
-    for (const uint32_t us : {LeastUs, MostUs, WideUs, 9000u, LongUs - 1, LongUs, 100000u}) {
+    for (const uint32_t us : {LeastUs, MostUs, WideUs, uint32_t{9000}, LongUs - 1, LongUs, uint32_t{100000}}) {
       INFO("place ", place, ", us ", us);
       Line line;
       line.learn();
