@@ -11,6 +11,7 @@ namespace avr {
 
 namespace {
 
+constexpr uint64_t TooOldUs = 1000;  // an age counts from four characters before the last poll without the frame
 constexpr uint64_t TimeoutUs = 100000;
 constexpr uint64_t BusyUs = 2000;  // the longest loop() that prints
 constexpr uint64_t FrameUs = sbus::FrameSize * line::CharacterUs;
@@ -174,7 +175,7 @@ std::string Expected::wrong(uint64_t us, const Numbers &found, const Rule &rule,
   for (SeenFrame frame : {later[-1], later[-2]}) {
     const uint64_t age = us - frame.us;
     for (const bool stale : {false, true}) {
-      if (stale ? age >= TimeoutUs : age < TimeoutUs + BusyUs) {
+      if (stale ? age + TooOldUs >= TimeoutUs : age < TimeoutUs + BusyUs) {
         frame.stale = stale;
         const Numbers candidate = rule(frame);
         if (same(found, candidate, tolerance)) {
