@@ -3,7 +3,7 @@
 // 0 knows no timer of this core.*extras/docs/interrupts.md
 // 1 An interrupt cannot read this port.*extras/docs/interrupts.md
 // 2 would delay the answers of an SBus2Sensor.*extras/docs/interrupts.md
-// 3 DecodeSBus[^O]* is an inaccessible base of .*DecodeSBusBackground
+// 3 DecodeSBus.* is an inaccessible base of .*DecodeSBusBackground
 // 4 DecodeSBusOf<.* is an inaccessible base of .*DecodeSBusBackground
 #include <DecodeSBusBackground.h>
 
