@@ -145,11 +145,11 @@ export PATH="$copy/bin:$copy/build/sbus:$PATH"
 cd "$copy" || exit 1
 make -s help >help
 
-check decodeSBusFrame 'make docs && cat build/docs/html/classDecodeSBus.html ||
+check decodeSBusFrame 'make docs && cat build/docs/html/classDecodeSBusOf.html ||
   [ "$(doxygen --version)" = 1.9.4 ] || echo "skipped: the warnings of this Doxygen are others"' 'make docs'
 
 check '^build/sbus/sbus$' 'make sbus'
-check '^(sbus )?[0-9]+\.[0-9]+\.[0-9]+$' 'make install PREFIX=/usr/local DESTDIR="$PWD/a place" && cd "a place/usr/local" &&
+check '^sbus [0-9]+\.[0-9]+\.[0-9]+ \(DecodeSBus\)$' 'make install PREFIX=/usr/local DESTDIR="$PWD/a place" && cd "a place/usr/local" &&
   [ -s share/man/man1/sbus.1 ] && [ -s share/bash-completion/completions/sbus ] && [ -s share/zsh/site-functions/_sbus ] &&
   [ -s share/fish/vendor_completions.d/sbus.fish ] && [ -s lib/udev/rules.d/60-sbus-uinput.rules ] && bin/sbus --version' \
   'make install PREFIX=/usr/local'
@@ -208,7 +208,7 @@ check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1
   grep '^ok captures/paper.txt, loop() of 50 us' all" 'make test-all' 'make test-all CAPTURES=dir' 'make test-all CAPTURES=folder'
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS=rules make test V=1 SEED=7 | tee rules && grep '^1 steps with seed 7' rules &&
   grep '^ok impairment/RULES: ' rules" 'make test' 'make test V=1' 'make test SEED=n'
-check '^8 passed, 0 failed$' 'make test ONLY=LinkTest'
+check '^9 passed, 0 failed$' 'make test ONLY=LinkTest'
 check 'golden/DecodeSBus.csv$' 'rm test/golden/DecodeSBus.csv; make -C test golden-update && cmp test/golden/DecodeSBus.csv "$root/test/golden/DecodeSBus.csv"' \
   'make -C test golden-update'
 check '[, ]10 frames of each line' 'newlib && make figures FRAMES=10 TRIES=10 && cat extras/docs/measured.md' 'make figures'
