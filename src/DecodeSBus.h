@@ -137,8 +137,9 @@ class DecodeSBusOf {
   // ---- The link
 
   /// Returns how far the channels can be trusted: NeverSeen before the first frame, then Ok, Lossy, Failsafe or Stale.
-  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes. If the
-  /// board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/boards.md, "A board that sleeps").
+  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes. If
+  /// the board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/boards.md, "A board that
+  /// sleeps").
   sbus::LinkState linkState();
 
   /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never

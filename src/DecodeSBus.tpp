@@ -9,13 +9,6 @@ inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
 
-// Forgets the slots, whose ages count frames, and the extra channels that came before the board slept.
-template <typename Events>
-inline void forgetSlots(Events &events) {
-  events.forgetAll();
-}
-inline void forgetSlots(sbus::NoEvents &) {}
-
 }  // namespace
 
 template <typename Format, typename Events>
@@ -100,8 +93,8 @@ __attribute__((always_inline)) inline int DecodeSBusOf<Format, Events>::read(int
 
 // Judges the link by a frame that has come. Until a sketch has channels, a frame that withholds them is failsafe.
 //
-// If the board has slept since the frame before, what came before the sleep counts as old, and so does this frame: parts
-// of two may have been joined, since the silence between them seemed short.
+// If the board has slept since the frame before, what came before the sleep counts as old, and so does this frame:
+// parts of two may have been joined, since the silence between them seemed short.
 template <typename Format, typename Events>
 inline void DecodeSBusOf<Format, Events>::judge(const uint8_t *frame) {
   const sbus::Counters &counters = _finder.counters();
@@ -109,7 +102,7 @@ inline void DecodeSBusOf<Format, Events>::judge(const uint8_t *frame) {
   _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
   if (_link.took(_finder.frameTime())) {
     _link.makeOld();
-    forgetSlots(_finder.events());
+    _finder.events().forgetAll();
   }
 }
 

@@ -27,8 +27,8 @@ class Clock {
     _sleeps.reset(micros(), ms);
   }
 
-  // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since the
-  // frame before: hasSlept(). `time` is earlier than micros(), so it is asked for first: 45 cycles a frame less.
+  // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
+  // the frame before: hasSlept(). `time` is earlier than micros(), so it is asked for first: 45 cycles a frame less.
   bool took(uint32_t time) {
     const uint32_t ms = millis();
     const bool slept = _sleeps.hasSlept(time, ms) && _sleeps.hasSlept(micros(), ms);

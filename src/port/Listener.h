@@ -18,6 +18,7 @@ namespace sbus {
 #if defined(SERIAL_SBUS)  // STM32L0
 
 #if !defined(STM32L0_UART_EVENT_RECEIVE)
+// A core that does not show the state of its ports: uartOf() is null for all of them.
 struct stm32l0_uart_t {
   uint16_t rx_index;
   uint32_t rx_count;
@@ -43,8 +44,8 @@ class Listener {
   template <typename Port>
   explicit Listener(Port &port) : _set(setterOf(&port, Choice<1>())) {}
 
-  // Returns true if wasIdle() and isIdle() know: from start() on. (A constant on the board: 300 bytes less. There another
-  // Stream shows no gaps.)
+  // Returns true if wasIdle() and isIdle() know: from start() on. (A constant on the board: 300 bytes less. There
+  // another Stream shows no gaps.)
 #if defined(DMA1_Channel2)
   static constexpr bool tellsIdle() { return true; }
 #else
@@ -56,8 +57,9 @@ class Listener {
   void callAgain() const { _uart->rx_event = true; }
   // Returns how many bytes wait.
   unsigned waiting() const { return static_cast<unsigned>(_uart->rx_count); }
-  // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its ring,
-  // and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong (:529).
+  // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its
+  // ring, and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong
+  // (:529).
   bool wasIdle() const { return _uart != nullptr && _uart->rx_index % 16 != 0; }
   // Returns true if it was idle after the newest byte that was read.
   bool isIdle() const {

@@ -28,8 +28,8 @@ struct Counters {
   uint32_t otherSizeFrames;  ///< as many bytes between two gaps as a frame of 24 channels has (DecodeSBus24: of 16)
   uint32_t period;           ///< us, frame interval, smoothed over about eight frames; 0 before the second frame
 
-  /// Counts a frame with these flags, `interval` us after the previous one: more than two periods count as two. A negative interval is not used: a blocked
-  /// loop() has hidden when the previous frame came.
+  /// Counts a frame with these flags, `interval` us after the previous one; more than two periods count as two. A
+  /// negative interval is not used: a blocked loop() has hidden when the previous frame came.
   void count(uint8_t flags, uint32_t interval) {
     if (static_cast<int32_t>(period) > 0) {
       const int32_t longer = static_cast<int32_t>(interval - period);

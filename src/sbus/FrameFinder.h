@@ -31,6 +31,7 @@ struct NoEvents {
   /// Returns true if a DecodeSBus calls asked() in each poll.
   static constexpr bool wantsTimes() { return false; }
   void asked(int, uint32_t) {}  ///< by this time, us, this number of bytes had come and waits on the port
+  void forgetAll() {}           ///< the board has slept: what the events before have brought is old
 };
 
 /// Finds frames. The bytes are read directly into the incoming frame:
@@ -82,8 +83,8 @@ class FrameFinderOf : private Events {
   void poll(unsigned found, uint32_t now);
 
   /// Likewise, for a port that tells when the line was idle. `isPrompt`: the port has just handed the bytes over and
-  /// called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to read
-  /// before likelyGap(), or 0.
+  /// called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to
+  /// read before likelyGap(), or 0.
   int pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle);
 
   /// The line may have been silent after the last byte.
@@ -231,7 +232,7 @@ template <typename Format, typename Events>
 SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
   startPoll(found);
   const uint32_t lastPoll = _timing.lastPoll(), lastBytes = _timing.lastBytes();
-  _timing.taken(now);
+  _timing.take(now);
   const int all = _buffer.filled() + static_cast<int>(found);
   const bool isWhole = all == Format::Size && isIdle;
   unsigned before = 0;

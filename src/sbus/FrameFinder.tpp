@@ -10,7 +10,7 @@ namespace {
 
 constexpr int JudgedWorth = 4;           // headers: one that judge() rejects costs as much as four without an end byte
 constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
-constexpr uint32_t Unsteady = 2500;      // us by which a frame may come late; parts of two come a period late, 4 ms or more
+constexpr uint32_t Unsteady = 2500;      // us: a frame comes late by less, parts of two by a period, 4 ms or more
 constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter was measured between late polls
 
 // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
@@ -277,7 +277,8 @@ SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t var
   const bool isInTime = _completeAfter - _frameTime < _counters.period + Unsteady;
   return rules::judge(
       Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
-                        isFirst ? _buffer.inside() : Silence::Unknown, isFirst && (isInSync && _counters.period != 0 ? isInTime : _buffer.beginsWide()), variant,
+                        isFirst ? _buffer.inside() : Silence::Unknown,
+                        isFirst && (isInSync && _counters.period != 0 ? isInTime : _buffer.beginsWide()), variant,
                         _variant, offBy, isInSync},
       _acquisition);
 }
@@ -313,13 +314,13 @@ void FrameFinderOf<Format, Events>::discard(int count) {
 }  // namespace sbus
 
 // Only the methods that others call: if the whole class were instantiated, nothing would be inlined.
-#define SBUS_COMPILE_FINDER(...)                                                     \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t); \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);                    \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                          \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                  \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                      \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence); \
-  template unsigned sbus::FrameFinderOf<__VA_ARGS__>::likelyGapAt(unsigned, uint32_t, uint32_t, uint32_t, bool);                \
-  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle(sbus::Silence);         \
+#define SBUS_COMPILE_FINDER(...)                                                                                    \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t);                                \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);                                                   \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                                                         \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                                                 \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                                                     \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence);                                         \
+  template unsigned sbus::FrameFinderOf<__VA_ARGS__>::likelyGapAt(unsigned, uint32_t, uint32_t, uint32_t, bool);    \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle(sbus::Silence);                                  \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

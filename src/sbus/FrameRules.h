@@ -95,8 +95,8 @@ SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
   return (c.gapAt > 0 && c.gapAt < Format::Size) || c.inside != Silence::Unknown;
 }
 
-/// Returns true if its sender may have stretched it: it begins where and when a frame is due, or after a wide gap, and no
-/// gap inside is wide. Parts of two frames that fit together are a frame period apart.
+/// Returns true if its sender may have stretched it: it begins where and when a frame is due, or after a wide gap, and
+/// no gap inside is wide. Parts of two frames that fit together are a frame period apart.
 template <typename Format>
 SBUS_IN_LINE bool mayBeStretched(const Candidate<Format> &c) {
   return c.isPlaced && c.inside < Silence::Wide && (c.gap < Silence::Wide || c.gapAt >= Format::Size);

@@ -32,8 +32,8 @@ enum class Silence : uint8_t {
 ///
 /// A port that tells itself when the line was idle (the Grasshopper's) needs that only for long silences.
 ///
-/// A sketch that polls only when bytes wait (serialEvent1(), an interrupt) has neither. It is assumed to poll late by
-/// at most the shortest time between two polls; if it is later, LineTiming reports a gap that does not exist.
+/// A sketch that polls only when bytes wait (serialEvent1(), an interrupt) has no empty polls. It is assumed to poll
+/// late by at most the shortest time between two polls; if it is later, LineTiming reports a gap that does not exist.
 ///
 /// Times are in us, and wrap after 71 minutes. Call all methods from the context that reads the port.
 class LineTiming {
@@ -80,8 +80,12 @@ class LineTiming {
     return isLong(silence) ? Silence::Long : isWide(silence, found) ? Silence::Wide : Silence::Gap;
   }
 
-  /// Takes the time of a poll of a port that tells itself when the line was idle.
-  void taken(uint32_t now) { take(now); }
+  /// Takes the time of a poll that found bytes, of a port that tells itself when the line was idle.
+  void take(uint32_t now) {
+    _pollBefore = _lastPoll;
+    _lastPoll = now;
+    _lastBytes = now;
+  }
 
   /// Returns for how long, in us, the line seems to have been silent before `found` bytes that were handed over at
   /// `handedOver`, if those before them were at `before`. Other work may delay a port's call unnoticed: then it was
@@ -166,12 +170,6 @@ class LineTiming {
   // Returns true if the line may have been open: once closed, it may be anywhere in a frame. (Two frame periods instead
   // of 50 ms: a tenth fewer wrong frames where gaps are not seen, for 32 bytes on a Cortex-M0+ and 106 on an AVR.)
   static bool isLong(unsigned silence) { return silence >= LongSilence; }
-
-  void take(uint32_t now) {
-    _pollBefore = _lastPoll;
-    _lastPoll = now;
-    _lastBytes = now;
-  }
 
   // Returns how many of `found` characters the port may have held back before it handed them over.
   unsigned burst(unsigned found) const {

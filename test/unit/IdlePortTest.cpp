@@ -215,7 +215,7 @@ TEST_CASE("a port that calls back, and does not tell when its line was idle, wor
   }
 }
 
-TEST_CASE("begin() within a frame: the port's ring begins anew, the rest of the frame is no part of one, and all goes on") {
+TEST_CASE("begin() within a frame restarts the port's ring: the rest of that frame is rejected, and the next frames come") {
   for (const Payload payload : Payloads) {
     for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
       for (size_t place = 1; place < 25; place++) {

@@ -98,8 +98,8 @@ bool FrameOutput::isOver() const {
   return _begun > 1 && !mayLeave(_current.sinceUs);
 }
 
-// Chooses the frame to send: one that has begun with two bytes, or the first that waits; after one byte, the first that
-// begins with it. Returns false if there is none.
+// Chooses the frame to send: the one of which two bytes have left, or the oldest pending frame; after one byte, the
+// oldest that begins with this byte. Returns false without a frame.
 bool FrameOutput::choose() {
   const auto frame = std::find_if(_waiting.begin(), _waiting.end(), [this](const BridgedFrame &each) {
     return _begun == 0 || each.bytes().front() == _current.bytes().front();

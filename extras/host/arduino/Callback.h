@@ -12,7 +12,7 @@ class Callback {
   Callback(void (T::*method)(), T *object)
       : _method(reinterpret_cast<Method>(method)), _object(object), _call(callMethod<T>) {}
 
-  // For the report: the object or the function that is called; null if there is none.
+  // Returns the object or the function that is called, for the report; null for an empty callback.
   const void *listener() const {
     return _object != nullptr ? _object : reinterpret_cast<const void *>(_function);
   }
