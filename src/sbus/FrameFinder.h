@@ -99,20 +99,14 @@ class FrameFinderOf : private Events {
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
   const uint8_t *ended() { return settle(Silence::Gap); }
 
-  /// Returns true if the `waiting` bytes need not be read yet: they complete no frame. The port has just called back,
-  /// because half of its ring was full: once, or twice where a frame is due.
+  /// Returns true if the `waiting` bytes need not be read yet: they complete no frame, and no silence shows before them.
+  /// The port has just called back, because half of its ring was full.
   bool mayWait(unsigned waiting, uint32_t now) {
-    if (static_cast<unsigned>(_buffer.filled()) + waiting >= Format::Size) {
+    if (static_cast<unsigned>(_buffer.filled()) + waiting >= Format::Size ||
+        !(isDue() ? isInTime(now) : silenceBefore(waiting, now) <= _timing.shortestGap())) {
       return false;
     }
-    if (_unread == 0) {
-      _unread = static_cast<uint8_t>(waiting);
-      _unreadBy = now;
-    } else if (_second == 0 && isDue()) {
-      _second = static_cast<uint8_t>(waiting);
-    } else {
-      return false;
-    }
+    _unread = static_cast<uint8_t>(waiting);
     _timing.incomplete(now);
     return true;
   }
@@ -158,8 +152,12 @@ class FrameFinderOf : private Events {
   void startOver(int offBy);
   void startPoll(unsigned found);
   void gapBefore(Silence gap);
-  unsigned likelyGapAt(unsigned found, uint32_t handedOver, uint32_t lastPoll, uint32_t lastBytes, bool isWhole);
+  uint32_t silenceBefore(unsigned found, uint32_t handedOver) const {
+    return _timing.silence(found - _unread, handedOver, _unread != 0 ? _timing.lastPoll() : _timing.lastBytes());
+  }
+  int likelyGapAt(uint32_t silence, bool isWhole);
   bool isDue() const { return _aligned && _expectedAt == 0; }
+  bool isInTime(uint32_t now) const { return now - _takenBy < _counters.period + LineTiming::LongestStop; }
   void checkFound();
   void lost(uint32_t &counter);
   const uint8_t *settle(Silence gap);
@@ -183,8 +181,7 @@ class FrameFinderOf : private Events {
   bool _aligned;       // the last frame was aligned
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll
-  uint8_t _unread;     // bytes that waited at `_unreadBy`, and have not been read; 0: none
-  uint8_t _second;     // likewise, at the newest poll; 0: not that many halves of the ring
+  uint8_t _unread;     // bytes that waited at the newest poll, and were not read; 0: none
   uint16_t _found;     // bytes that this poll has found
   bool _owed;          // the port has lost bytes after those of this poll
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
@@ -193,7 +190,6 @@ class FrameFinderOf : private Events {
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
-  uint32_t _unreadBy;
   uint32_t _takenBy;  // us: time of the poll that brought the last frame
   Counters _counters;
 };
@@ -231,18 +227,16 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
 template <typename Format, typename Events>
 SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
   startPoll(found);
-  const uint32_t lastPoll = _timing.lastPoll(), lastBytes = _timing.lastBytes();
-  _timing.take(now);
   const int all = _buffer.filled() + static_cast<int>(found);
   const bool isWhole = all == Format::Size && isIdle;
-  unsigned before = 0;
-  if (!isDue() || (!isWhole && all >= Format::Size) || now - _takenBy >= _counters.period + LineTiming::LongestStop) {
-    before = likelyGapAt(found, isPrompt ? now : lastPoll, lastPoll, lastBytes, isWhole);
+  int before = 0;
+  if (!isDue() || (!isWhole && all >= Format::Size) || !isInTime(now)) {
+    before = likelyGapAt(silenceBefore(found, isPrompt ? now : _timing.lastPoll()), isWhole);
   }
+  _timing.take(now);
   _unread = 0;
-  _second = 0;
   _acquisition.characters(found);
-  return static_cast<int>(before);
+  return before;
 }
 
 /// Finds frames of 16 channels, which nearly all receivers send.

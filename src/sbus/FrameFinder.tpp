@@ -28,7 +28,6 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _aligned = false;
   _hasBreaks = false;
   _unread = 0;
-  _second = 0;
   _buffer.clear();
   startOver(rules::FirstOffBy);
   _counters = Counters();
@@ -100,35 +99,26 @@ void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
   }
 }
 
-// Takes the gap that the times show before `found` bytes, the last of which were handed over by `handedOver`. Returns
-// after how many of them there is another: see pollIdling().
+// Takes the silence that the times show before the bytes that no poll has found yet. Returns how many bytes wait before
+// it, if it is a gap: see pollIdling().
 template <typename Format, typename Events>
-unsigned FrameFinderOf<Format, Events>::likelyGapAt(unsigned found, uint32_t handedOver, uint32_t lastPoll,
-                                                    uint32_t lastBytes, bool isWhole) {
-  uint32_t before, within = 0, later = 0;
-  if (_unread == 0) {
-    before = _timing.silence(found, handedOver, lastBytes);
-  } else {
-    before = _timing.silence(_unread, _unreadBy, lastBytes);
-    if (_second == 0) {
-      within = _timing.silence(found - _unread, handedOver, _unreadBy);
-    } else {
-      within = _timing.silence(static_cast<unsigned>(_second - _unread), lastPoll, _unreadBy);
-      later = _timing.silence(found - _second, handedOver, lastPoll);
-    }
-  }
+int FrameFinderOf<Format, Events>::likelyGapAt(uint32_t silence, bool isWhole) {
   const int filled = _buffer.filled();
-  const uint32_t bearable = isWhole && (_buffer.gapAt() == 0 || isDue()) ? LineTiming::LongestStop : _timing.shortestGap();
-  if (before >= LineTiming::LongSilence) {
-    startOver(rules::FirstOffBy);
-  } else if (before > _timing.shortestGap()) {
-    if (_buffer.gapAt() == filled || _acquisition.isFrame() || (filled == Size && (isDue() || _buffer.beginsWide()))) {
-      gapBefore(before > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
-    } else if (before > bearable) {
-      likelyGap();
-    }
+  const bool mayStop = isWhole && (_buffer.gapAt() == 0 || isDue());
+  const bool isLikely = silence > (mayStop ? LineTiming::LongestStop : _timing.shortestGap());
+  if (_unread != 0) {
+    return isLikely ? _unread : 0;
   }
-  return within > bearable ? _unread : later > bearable ? _second : 0u;
+  if (silence >= LineTiming::LongSilence) {
+    startOver(rules::FirstOffBy);
+  } else if (silence > _timing.shortestGap() &&
+             (_buffer.gapAt() == filled || _acquisition.isFrame() ||
+              (filled == Size && (isDue() || _buffer.beginsWide())))) {
+    gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
+  } else if (isLikely) {
+    likelyGap();
+  }
+  return 0;
 }
 
 // Takes a silence after the last byte. Returns the frame that waited for it, or nullptr.
@@ -321,6 +311,6 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                                                 \
   template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                                                     \
   template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence);                                         \
-  template unsigned sbus::FrameFinderOf<__VA_ARGS__>::likelyGapAt(unsigned, uint32_t, uint32_t, uint32_t, bool);    \
+  template int sbus::FrameFinderOf<__VA_ARGS__>::likelyGapAt(uint32_t, bool);                                       \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle(sbus::Silence);                                  \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Prints how much flash and RAM the library and the examples take: a table in Markdown.
 #   ATmega2560    avr-g++ -Os; an example is a whole program, Arduino's core included
-#   Cortex-M0+    arm-none-eabi-g++ -Os; without the board's core, which is no part of this repository
+#   Cortex-M0+    arm-none-eabi-g++ -Os, for the Grasshopper; without its core, which is no part of this repository
 # A piece of the library is what a program takes more with it than without. What the C library and the compiler's own
 # add is not counted: division, memmove(), floating point; but it is for the whole programs, and in the rows of scaling.
 # BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/avr/build.mk).
@@ -28,7 +28,7 @@ avr() {
 # shellcheck disable=SC2086
 arm() {
   arm-none-eabi-g++ $specs -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common \
-    -I"$host/arduino" -I.. -I"$root/src" -I"$host/standin" "$@"
+    -I"$host/arduino" -I../boards/cores/stm32l0 -include stm32l0_dma.h -I.. -I"$root/src" -I"$host/standin" "$@"
 }
 
 # program CHIP PROGRAM LIBRARIES WHAT...: links WHAT, a source and its flags, with what is needed of our objects and LIBRARIES

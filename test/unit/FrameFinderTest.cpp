@@ -45,21 +45,23 @@ TEST_CASE("frame() is null before the first frame; reset forgets frames, incompl
   CHECK(line.wait(5000).poll(bytesOf(plainFrame(7)) + Bytes{0x0F}) == Frames{plainFrame(7)});
 }
 
-TEST_CASE("bytes that a port hands over may wait once, if they complete no frame; then they are read, or reset forgets them") {
+TEST_CASE("bytes that a port hands over may wait if they complete no frame, and no silence shows before them") {
   Feeder line;
   const auto mayWait = [&line](unsigned count) { return line.finder.mayWait(count, line.now); };
-  CHECK_FALSE(mayWait(25));
-  CHECK(mayWait(24));
-  CHECK_FALSE(mayWait(1));
-  line.finder.reset(line.now, Feeder::CharacterUs);
-  CHECK(mayWait(16));
-  CHECK_FALSE(mayWait(16));
+  CHECK_FALSE(mayWait(16));  // the line before the first byte is unknown
   for (const bool isPrompt : {false, true}) {
-    line.finder.pollIdling(16, line.now, isPrompt, false);
-    std::copy_n(Low.begin(), 16, line.finder.space());
-    line.finder.received(16, 0);
-    CHECK_FALSE(mayWait(9));
-    CHECK(mayWait(8));
+    line.finder.pollIdling(8, line.now, isPrompt, false);
+    std::copy_n(Low.begin(), 8, line.finder.space());
+    line.finder.received(8, 0);
+    CHECK_FALSE(mayWait(17));
+    line.now += 15 * Feeder::CharacterUs + 16 * Feeder::CharacterUs + 2 * Feeder::CharacterUs;
+    CHECK(mayWait(16));
+    line.now += 2 * Feeder::CharacterUs;
+    CHECK(mayWait(16));
+    line.now += 1;
+    CHECK(mayWait(16));
+    line.now += 2 * Feeder::CharacterUs + 1;
+    CHECK_FALSE(mayWait(16));
     line.finder.broken();
     line.finder.reset(line.now, Feeder::CharacterUs);
   }
