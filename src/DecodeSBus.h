@@ -9,6 +9,7 @@
 #include "SBusPort.h"
 #include "port/Clock.h"
 #include "port/Listener.h"
+#include "port/Polling.h"
 #include "sbus/Barrier.h"
 #include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
@@ -18,7 +19,6 @@
 namespace sbus {
 
 class LinkQuality;
-class Ticker;
 
 /// @cond  Not for sketches.
 
@@ -49,9 +49,11 @@ struct ClockedLink : Link, Clock {};
 /// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): the sketch need not call a
 /// method in time, but the object must live until end(). DecodeSBusBackground does the same on other boards:
 /// extras/docs/interrupts.md.
-template <typename Format, typename Events = sbus::NoEvents>
-class DecodeSBusOf {
+template <typename Format, typename Events = sbus::NoEvents, typename Polling = sbus::PolledByLoop>
+class DecodeSBusOf : protected Polling {
  public:
+  template <typename Other>
+  using PolledBy = DecodeSBusOf<Format, Events, Other>;  ///< the same decoder, polled in another way: DecodeSBusBackgroundOf
   using ChannelArray = sbus::ChannelArray<uint16_t, Format::Channels>;  ///< an array or a pointer: 18 or 24 values
   using Frame = sbus::FrameValue<Format::Channels>;                     ///< an SBusFrame, or an SBusFrame24
 
@@ -60,12 +62,22 @@ class DecodeSBusOf {
   /// Remembers `port`, and opens nothing yet. A hardware serial port is opened by begin(); any other Stream is opened
   /// by the sketch (see listen()). `port` must outlive the object.
   template <typename Port>
-  explicit DecodeSBusOf(Port &port) : _port(port) {}
+  explicit DecodeSBusOf(Port &port) : _port(port) {
+    Polling::template check<Port>();
+  }
+
+  /// Does not compile: `DecodeSBus dSBus(&Serial1)` is another library's form.
+  template <typename Port>
+  explicit DecodeSBusOf(Port *port) : _port(*port) {
+    static_assert(sizeof(Port) == 0, "Write DecodeSBus dSBus(Serial1), without the &");
+  }
 
   /// Remembers `port` and its pins, on an ESP32 or ESP8266: begin() always opens it on `rx` and `tx`. On other cores
   /// this constructor does not compile; extras/docs/boards.md says how they choose pins.
   template <typename Port>
-  DecodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
+  DecodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {
+    Polling::template check<Port>();
+  }
 
   /// Opens the port as 8E2, inverted if the port can invert (otherwise the line needs an inverter), and forgets all
   /// frames and counters. Default: 100000 baud. Fast S.Bus: 200000 baud.
@@ -78,22 +90,41 @@ class DecodeSBusOf {
   ///
   /// Without pins in the constructor an ESP32 or ESP8266 uses the core's pins. With core 1 or 2, Serial1's pins on a
   /// classic ESP32 belong to its flash (extras/docs/boards.md).
-  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig) {
+    this->stopPolling();
+    _port.enter();
+    _port.open(baud, config);
+    start(baud);
+  }
 
   /// Starts on a port that the sketch has opened with `baud`, such as a SoftwareSerial, and forgets all frames and
   /// counters.
-  void listen(unsigned long baud = sbus::Baud);
+  void listen(unsigned long baud = sbus::Baud) {
+    this->stopPolling();
+    _port.enter();
+    start(baud);
+  }
 
   /// Closes a hardware serial port. Call it only after begin(): otherwise the Uno R4 crashes, and the nRF52 waits
   /// forever. The last frame can be decoded until it is stale.
-  void end();
+  void end() {
+    this->stopPolling();
+    _port.enter();
+    _port.close();
+    _port.stop(_port.stream());
+    _port.leave();
+  }
 
   // ---- Called in every loop()
 
   /// Reads the waiting bytes, like parseSBusFrame(), and writes the newest frame to `frame`, like decodeSBusFrame(): an
   /// SBusFrame, or an SBusFrame24 for DecodeSBus24. Returns true if the frame is new. Flags and age are right after
   /// each call, even if no frame comes: check frame.failsafe whatever it returns. Call it as often as parseSBusFrame().
-  bool read(Frame &frame);
+  bool read(Frame &frame) {
+    const Lock lock(*this);
+    pollAll(false);
+    return fill(frame);
+  }
 
   /// Reads the bytes that wait on the port, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
   /// ms at 200000 baud): on a line without gaps, a core's buffer of 64 bytes is full after 7.7 ms, and then loses
@@ -108,10 +139,16 @@ class DecodeSBusOf {
   /// A frame is complete at the first call after its last byte. The very first frame, the first frame of another line
   /// variant, and a frame after discarded bytes or 50 ms of silence may have to wait for the next frame, or for 3 ms of
   /// silence.
-  void parseSBusFrame();
+  void parseSBusFrame() {
+    const Lock lock(*this);
+    pollAll(false);
+  }
 
   /// Returns true while the newest frame is younger than the timeout; false before the first frame.
-  bool SBusFrameOk();
+  bool SBusFrameOk() {
+    const Lock lock(*this);
+    return isOk();
+  }
 
   /// Writes the newest frame to `channels`: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1. DecodeSBus24
   /// writes 24 values, CH1..CH24 as 0..2047. It may be called at any rate.
@@ -121,17 +158,22 @@ class DecodeSBusOf {
   ///   for too long (setLossLimit()).
   ///
   /// Before the first frame, and once the newest is as old as the timeout, both are true and `channels` is unchanged.
-  void decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame);
+  void decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame) {
+    const Lock lock(*this);
+    uint32_t age;
+    decode(state(age), channels, failsafe, lostFrame);
+  }
 
   /// Returns true if decodeSBusFrame() and read() have not yet handed out the newest frame; false before the first
   /// frame, and once the newest is as old as the timeout.
   bool newFrame() {
+    const Lock lock(*this);
     if (_port.callsBack()) {  // a sketch may wait for it, and call nothing else
-      const bool isOk = SBusFrameOk();
+      const bool wasOk = isOk();
       sbus::barrier();
-      return isOk && _finder.counters().frames != _decoded;
+      return wasOk && _finder.counters().frames != _decoded;
     }
-    return _finder.counters().frames != _decoded && SBusFrameOk();
+    return _finder.counters().frames != _decoded && isOk();
   }
 
   // ---- The link
@@ -140,15 +182,23 @@ class DecodeSBusOf {
   /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes. If
   /// the board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/boards.md, "A board that
   /// sleeps").
-  sbus::LinkState linkState();
+  sbus::LinkState linkState() {
+    const Lock lock(*this);
+    uint32_t age;
+    return state(age);
+  }
 
   /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never
   /// underestimated while the board is awake: it counts from the last poll before the frame's end. It includes the
   /// board's sleep, by millis(), on a Grasshopper; on other boards see linkState(). Call it at least once an hour.
-  unsigned long frameAge();
+  unsigned long frameAge() {
+    const Lock lock(*this);
+    return ageInMs();
+  }
 
   /// Returns the counters since begin(), all taken at one moment. All are 0 before the first byte.
   sbus::Counters counters() const {
+    const Lock lock(*this);
     for (;;) {
       const uint8_t polls = _port.polls();
       sbus::barrier();
@@ -166,23 +216,203 @@ class DecodeSBusOf {
   void setTimeout(uint16_t ms) { _link.setTimeout(ms); }
 
   /// Sets how many lost frames in a row count as failsafe, 1..65535. Default: 100. 0 disables it.
-  void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
+  void setLossLimit(uint16_t frames) {
+    const Lock lock(*this);  // an AVR writes its two bytes one by one
+    _link.setLossLimit(frames);
+  }
 
  protected:
   /// @cond  For the classes of this library.
 
-  sbus::LinkState state(uint32_t &age);
-  bool newest(Frame &frame);
-  void decode(sbus::LinkState state, ChannelArray channels, bool &failsafe, bool &lostFrame);
-  void start(unsigned long baud);
-  void reset(unsigned long baud);
+  // Keeps other contexts from polling: each public method has one. The methods below have none.
+  using Lock = typename Polling::Lock;
+
+  bool isOk() {
+    uint32_t age;
+    return sbus::isYoung(state(age));
+  }
+
+  unsigned long ageInMs() {
+    uint32_t age;
+    return state(age) == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+  }
+
+  // Returns the state of the link, and the age of the newest frame, us. If a frame comes meanwhile, they belong to
+  // neither: then all is read again.
+  sbus::LinkState state(uint32_t &age) {
+    for (;;) {
+      const uint32_t time = _finder.frameTime();
+      sbus::barrier();
+      age = _link.age(_link.ageOf(time));
+      const sbus::LinkState state = _link.state(age);
+      sbus::barrier();
+      if (time == _finder.frameTime()) {
+        constexpr uint32_t Old = 100000;  // us
+        if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || age >= Old)) {
+          pollAll(false);  // if the port's call was lost, the next one comes only after a poll
+        }
+        return state;
+      }
+    }
+  }
+
+  // The age is asked for first: a frame that comes in between is younger.
+  bool fill(Frame &frame) {
+    const uint32_t before = _decoded;
+    uint32_t age;
+    const sbus::LinkState now = state(age);
+    frame.age = now == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+    decode(now, frame.channels, frame.failsafe, frame.lostFrame);
+    return _decoded != before;
+  }
+
+  void decode(sbus::LinkState state, ChannelArray channels, bool &failsafe, bool &lostFrame) {
+    if (!sbus::isYoung(state) || channels == nullptr) {
+      failsafe = true;
+      lostFrame = true;
+      return;
+    }
+    // If a frame is completed meanwhile, the next one may overwrite the frame that is being read: then read the new one.
+    uint32_t number;
+    do {
+      number = _finder.counters().frames;
+      sbus::barrier();
+      const uint8_t *const frame = _finder.newest();
+      Format::unpack(frame, channels);
+      lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
+      failsafe = _link.isLost();
+      sbus::barrier();
+    } while (number != _finder.counters().frames);
+    _decoded = number;
+  }
+
+  void start(unsigned long baud) {
+    reset(baud);
+    startCallbacks(&DecodeSBusOf::onReceive, this);
+    this->startPolling(pollThis);
+  }
+
+  static bool pollThis(Polling &self) { return Polling::poll(static_cast<DecodeSBusOf &>(self)); }
+
+  void reset(unsigned long baud) {
+    const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
+    _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
+    _link.reset();
+    _link.start();
+    _decoded = 0;
+  }
+
+  // Lets the port call `method`. The first poll comes at once: a port that has bytes does not call before they are read.
   template <typename Object>
-  void hear(void (Object::*method)(), Object *object);
-  void arrived();
-  void take(bool isPrompt);
-  void poll(bool isPrompt);
-  void judge(const uint8_t *frame);
-  int read(int waiting);
+  void startCallbacks(void (Object::*method)(), Object *object) {
+    const bool callsBack = _port.start(_port.stream(), method, object);
+    _port.leave();
+    if (callsBack) {
+      pollAll(false);
+    }
+  }
+
+  void onReceive() {
+    if (!Events::wantsTimes() && _port.isAtHalf() && _finder.mayWait(_port.waiting(), micros())) {
+      _port.callAgain();  // one read for a frame costs less than two
+      return;
+    }
+    pollAll(true);
+  }
+
+  // Polls, and once more if the port has called back meanwhile.
+  void pollAll(bool isPrompt) {
+    while (_port.enter()) {
+      poll(sbus::Listener::Calls && isPrompt);
+      if (!_port.leave()) {
+        return;
+      }
+      isPrompt = true;
+    }
+  }
+
+  // Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. Asked for more,
+  // the STM32L0's core would write past the end of the buffer.
+  void poll(bool isPrompt) {
+    uint32_t now = micros();
+    const int found = _port.available();
+    if (Events::wantsTimes()) {
+      _finder.events().asked(found, micros());
+    } else if (found > 0 && !isPrompt) {
+      now = micros();  // by then the bytes had come: an interrupt may have held up the question
+    }
+    if (found <= 0) {
+      if (const uint8_t *const frame = _finder.idle(now)) {
+        updateLink(frame);
+      }
+      return;
+    }
+    const unsigned bytes = static_cast<unsigned>(found);
+    if (_port.mayHaveLostOldest(bytes)) {
+      _finder.broken();  // the bytes that wait stand after the loss
+    }
+    int split = 0;
+    if (_port.tellsIdle()) {
+      split = _finder.pollIdling(bytes, now, isPrompt, _port.wasIdle());
+    } else {
+      _finder.poll(bytes, now);
+    }
+    for (int waiting = found; waiting > 0;) {
+      const int count = readBytes(split != 0 && split < waiting ? split : waiting);
+      if (count <= 0) {
+        return;  // the port fails
+      }
+      waiting -= count;
+      if (const uint8_t *const frame = _finder.received(count, waiting)) {
+        updateLink(frame);
+      }
+      if (split != 0) {
+        _finder.likelyGap();
+        split = 0;
+      }
+    }
+    if (_port.isIdle() && bytes <= _port.half()) {
+      if (const uint8_t *const frame = _finder.ended()) {
+        updateLink(frame);
+      }
+      return;
+    }
+    // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,
+    // and those that have come may stand before the loss or after it.
+    if (_port.losesNewest() && bytes > _port.half()) {
+      int more = _port.available();
+      if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
+        _finder.broken();
+        while (more > 0) {
+          const int count = readBytes(more);
+          if (count <= 0) {
+            return;
+          }
+          more -= count;
+        }
+      }
+    }
+  }
+
+  // Updates the link by a frame that has come. Until a sketch has channels, a frame that withholds them is failsafe.
+  //
+  // If the board has slept since the frame before, what came before the sleep counts as old, and so does this frame:
+  // parts of two may have been joined, since the silence between them seemed short.
+  void updateLink(const uint8_t *frame) {
+    const sbus::Counters &counters = _finder.counters();
+    const bool hasNone = Format::Withholds && counters.lostFrames == counters.frames;
+    _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
+    if (_link.took(_finder.frameTime())) {
+      _link.makeOld();
+      _finder.events().forgetAll();
+    }
+  }
+
+  // Reads the next of the bytes that wait. Returns how many, or 0 or less if the port fails.
+  __attribute__((always_inline)) int readBytes(int waiting) {
+    const int room = _finder.room();
+    return _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
+  }
 
   // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
   sbus::FrameFinderOf<Format, Events> _finder;
@@ -193,8 +423,8 @@ class DecodeSBusOf {
   /// @endcond
 
  private:
-  friend class sbus::LinkQuality;  // for the clock
-  friend class sbus::Ticker;       // for the port
+  friend class sbus::LinkQuality;  // for clock()
+  friend Polling;                  // for pollAll() and _port
 
   static uint32_t clock() { return sbus::Clock::now(); }
 };
@@ -204,15 +434,48 @@ class DecodeSBusOf {
 using DecodeSBus = DecodeSBusOf<sbus::Frame16>;
 
 /// Decodes like DecodeSBus, and also the extra channels of Futaba's FASSTest 26, CH17..CH32.
-class DecodeSBus32 : public DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame> {
+template <typename Polling>
+class DecodeSBus32Of : public DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame, Polling> {
+  using Decoder = DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame, Polling>;
+
  public:
-  using DecodeSBusOf::DecodeSBusOf;  ///< see DecodeSBusOf()
+  template <typename Other>
+  using PolledBy = DecodeSBus32Of<Other>;  ///< see DecodeSBusOf
+  using Decoder::Decoder;                  ///< see DecodeSBusOf()
 
   /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: they come in separate frames. Returns true if such
   /// a frame came within the timeout; otherwise `channels` is unchanged. The flags and switches are those of
   /// decodeSBusFrame(). Call it at least once an hour.
-  bool decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels);
+  bool decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels) {
+    const typename Decoder::Lock lock(*this);
+    sbus::ExtraFrame &extra = this->_finder.events();
+    uint32_t number;
+    for (;;) {  // a stale frame is remembered by its number, since the clock may wrap; a newer one may come meanwhile
+      number = extra.count();
+      sbus::barrier();
+      if (extra.isForgotten() || channels == nullptr) {
+        return false;
+      }
+      if (!this->_link.isStale(this->_link.ageOf(extra.time()))) {
+        break;
+      }
+      sbus::barrier();
+      if (number == extra.count()) {
+        extra.forget(number);
+      }
+    }
+    do {
+      number = extra.count();
+      sbus::barrier();
+      sbus::unpackExtra(extra.bytes(), channels);
+      sbus::barrier();
+    } while (number != extra.count());
+    return true;
+  }
 };
+
+/// Decodes sixteen channels, two switches, and CH17..CH32.
+using DecodeSBus32 = DecodeSBus32Of<sbus::PolledByLoop>;
 
 /// Decodes the 24 channels of FrSky's ACCESS and TD receivers that are set to "SBUS 24". On a line of 16 channels it
 /// delivers no frame, and counters().otherSizeFrames grows; likewise for a DecodeSBus on a line of 24 channels.

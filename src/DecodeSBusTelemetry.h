@@ -14,12 +14,14 @@
 ///
 /// A slot does not say which sensor fills it: read it as the type that the radio has for this slot. There is no
 /// checksum: if a wrong value would do harm, trust a value only once it has come twice (`trust.times` of readSensor()).
-template <typename Events>
-class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
-  using Decoder = DecodeSBusOf<sbus::Frame16, Events>;
+template <typename Events, typename Polling = sbus::PolledByLoop>
+class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events, Polling> {
+  using Decoder = DecodeSBusOf<sbus::Frame16, Events, Polling>;
 
  public:
-  using Decoder::Decoder;  ///< see DecodeSBusOf()
+  template <typename Other>
+  using PolledBy = DecodeSBusTelemetryOf<Events, Other>;  ///< see DecodeSBusOf
+  using Decoder::Decoder;                                 ///< see DecodeSBusOf()
 
   /// Reads the sensor in the slots from `slot` on, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
   /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
@@ -29,8 +31,9 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   /// any rate, from where decodeSBusFrame() may be called.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
+    const typename Decoder::Lock lock(*this);
     sbus::SlotData data[Sensor::Slots];
-    if (!this->SBusFrameOk() || !this->_finder.events().read(slot, Sensor::Slots, data)) {
+    if (!this->isOk() || !this->_finder.events().read(slot, Sensor::Slots, data)) {
       return false;
     }
     sensor.decode(data);
@@ -42,6 +45,7 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   /// often in a row they have come unchanged, 1..8; 8 means 8 or more. `trust` changes only if it returns true.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor, sbus::Trust &trust) {
+    const typename Decoder::Lock lock(*this);
     sbus::SlotData data[Sensor::Slots];
     sbus::Trust now;
     uint32_t frames;
@@ -49,10 +53,10 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
     do {  // a frame may come in between: then the age would be that of neither
       frames = this->_finder.counters().frames;
       sbus::barrier();
-      if (!this->SBusFrameOk() || !this->_finder.events().read(slot, Sensor::Slots, data, now)) {
+      if (!this->isOk() || !this->_finder.events().read(slot, Sensor::Slots, data, now)) {
         return false;
       }
-      age = now.age + this->frameAge();
+      age = now.age + this->ageInMs();
       sbus::barrier();
     } while (frames != this->_finder.counters().frames);
     now.age = static_cast<uint16_t>(age < UINT16_MAX ? age : UINT16_MAX);
@@ -64,7 +68,10 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   /// Returns how many times since begin() the bytes between two frames were not just slots of the announced group.
   /// Slots of a rejected group that are certainly whole are still read, except by an SBus2Sensor. The cause is a
   /// disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
-  uint32_t rejectedGroups() const { return this->_finder.events().rejectedGroups(); }
+  uint32_t rejectedGroups() const {
+    const typename Decoder::Lock lock(*this);
+    return this->_finder.events().rejectedGroups();
+  }
 };
 
 /// Decodes an S.BUS2 line, and only listens. SBus2Sensor also answers.

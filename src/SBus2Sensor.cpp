@@ -1,11 +1,5 @@
 #include "SBus2Sensor.h"
 
-#include "DecodeSBus.tpp"
-#include "sbus/FrameFinder.tpp"
-
-SBUS_COMPILE_FINDER(sbus::Frame16, sbus::Answers)
-SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
-
 namespace {
 
 // The time from the end of the wait until the start bit, us: 820 cycles of an AVR (simavr), a few us on other boards.
@@ -45,7 +39,7 @@ void SBus2Sensor::start(unsigned long baud) {
   reset(baud);
   _rhythm.reset();
   _timedFrame = 0;
-  hear(&SBus2Sensor::arrived, this);
+  startCallbacks(&SBus2Sensor::onReceive, this);
   _isTimed = _start(_stream, this);
 }
 
@@ -144,7 +138,7 @@ void SBus2Sensor::receive(bool isPrompt) {
 }
 
 // The port calls this when it has handed bytes over.
-void SBus2Sensor::arrived() {
+void SBus2Sensor::onReceive() {
   receive(true);
   armTimer();
 }
@@ -183,7 +177,7 @@ void SBus2Sensor::tick() {
   answerWithin(LongestWait);
   if (!answers.isPlanned() || untilDue() > ReadingTime) {
     do {
-      if (sbus::SlotTimer::isHeld()) {
+      if (sbus::SlotTimer::isLocked()) {
         sbus::SlotTimer::at(0);
         return;
       }

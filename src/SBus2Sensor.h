@@ -4,7 +4,6 @@
 
 #include "DecodeSBusTelemetry.h"
 #include "port/HandOver.h"
-#include "port/Held.h"
 #include "port/SlotTimer.h"
 #include "sbus/Answers.h"
 #include "sbus/FrameRhythm.h"
@@ -23,10 +22,10 @@ enum SingleWireTag : uint8_t {
 
 /// @cond  Not for sketches.
 
-// Keeps the slot timer from reading the port (Held.h).
-struct SlotHolder {
-  struct Hold : SlotTimer::Hold {
-    explicit Hold(const SlotHolder &) {}
+// The slot timer polls, or the sketch.
+struct PolledBySlotTimer : PolledByLoop {
+  struct Lock : SlotTimer::Lock {
+    explicit Lock(const PolledBySlotTimer &) {}
   };
 };
 
@@ -55,10 +54,23 @@ struct SlotHolder {
 /// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry hold it off while they run. On an
 /// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt. A function that takes a
 /// DecodeSBusTelemetry does not take an SBus2Sensor: make it a template (see DecodeSBusBackgroundOf).
-class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder> {
-  using Decoder = sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder>;
+class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledBySlotTimer> {
+  using Decoder = DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledBySlotTimer>;
 
  public:
+  using Decoder::ChannelArray;     ///< see DecodeSBusOf
+  using Decoder::Frame;            ///< see DecodeSBusOf
+  using Decoder::counters;         ///< see DecodeSBusOf
+  using Decoder::decodeSBusFrame;  ///< see DecodeSBusOf
+  using Decoder::frameAge;         ///< see DecodeSBusOf
+  using Decoder::linkState;        ///< see DecodeSBusOf
+  using Decoder::newFrame;         ///< see DecodeSBusOf
+  using Decoder::readSensor;       ///< see DecodeSBusTelemetryOf
+  using Decoder::rejectedGroups;   ///< see DecodeSBusTelemetryOf
+  using Decoder::SBusFrameOk;      ///< see DecodeSBusOf
+  using Decoder::setLossLimit;     ///< see DecodeSBusOf
+  using Decoder::setTimeout;       ///< see DecodeSBusOf
+
   /// See DecodeSBusOf().
   template <typename Port>
   explicit SBus2Sensor(Port &port)
@@ -108,8 +120,8 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   /// See DecodeSBusOf.
   bool read(SBusFrame &frame) {
     parseSBusFrame();
-    const sbus::SlotHolder::Hold hold(*this);
-    return newest(frame);
+    const Lock lock(*this);
+    return fill(frame);
   }
 
   // ---- Answering
@@ -145,6 +157,8 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   uint32_t collisions() const { return _finder.events().collisions(); }
 
  private:
+  friend class sbus::LinkQuality;  // for clock()
+
   template <typename Port>
   static bool start(Stream &stream, SBus2Sensor *sensor) {
     return sbus::SlotTimer::start(static_cast<Port &>(stream), due, sensor);
@@ -154,7 +168,7 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
 
   void stop();
   void start(unsigned long baud);
-  void arrived();
+  void onReceive();
   static void due(void *sensor);
   void receive(bool isPrompt);
   void plan(bool isPrompt);

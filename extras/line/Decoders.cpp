@@ -2,11 +2,6 @@
 
 #include <algorithm>
 
-#include "sbus/FrameFinder.tpp"
-
-SBUS_COMPILE_FINDER(sbus::Frame16Extra, line::PlacesOf<sbus::Frame16Extra>)
-SBUS_COMPILE_FINDER(sbus::Frame24, line::PlacesOf<sbus::Frame24>)
-
 namespace line {
 
 namespace {

@@ -23,14 +23,14 @@ class NoSlotTimer {
   static constexpr bool HasCallback = false;
 
   // Keeps due() from reading the port, while this exists.
-  struct Hold {
-    Hold() {}
+  struct Lock {
+    Lock() {}
   };
-  static bool isHeld() { return false; }
+  static bool isLocked() { return false; }
 
-  // Keeps due() from running on another core while this exists. For code that due() may interrupt: a Hold would cost
+  // Keeps due() from running on another core while this exists. For code that due() may interrupt: a Lock would cost
   // answers there.
-  using Apart = Hold;
+  using Apart = Lock;
 
   // Exists from a look at the clock until the start bit, on cores where other interrupts could come in between.
   struct Alone {
@@ -72,20 +72,20 @@ class NoSlotTimer {
 
 // Holds an interrupt that polls: while loop() reads what the interrupt writes, it sends what is due, but does not read
 // the port.
-class HoldByFlag {
+class FlagLock {
  public:
-  HoldByFlag() {
-    isHeld = true;
+  FlagLock() {
+    isLocked = true;
     barrier();
   }
-  ~HoldByFlag() {
+  ~FlagLock() {
     barrier();
-    isHeld = false;
+    isLocked = false;
   }
-  HoldByFlag(const HoldByFlag &) = delete;
-  HoldByFlag &operator=(const HoldByFlag &) = delete;
+  FlagLock(const FlagLock &) = delete;
+  FlagLock &operator=(const FlagLock &) = delete;
 
-  static volatile bool isHeld;  // defined by the timer that uses it
+  static volatile bool isLocked;  // defined by the timer that uses it
 };
 
 /// @endcond

@@ -24,7 +24,7 @@ struct Status : HardwareSerial {
 
 }  // namespace
 
-volatile bool HoldByFlag::isHeld = false;
+volatile bool FlagLock::isLocked = false;
 bool SlotTimer::_isLate = false;
 
 bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) {

@@ -16,8 +16,8 @@ namespace sbus {
 // There is only one: a second sensor is polled from loop().
 class SlotTimer : public NoSlotTimer {
  public:
-  using Hold = HoldByFlag;  // an AVR reads 32 bits one by one
-  static bool isHeld() { return Hold::isHeld; }
+  using Lock = FlagLock;  // an AVR reads 32 bits one by one
+  static bool isLocked() { return Lock::isLocked; }
 
   using NoSlotTimer::start;
   static bool start(HardwareSerial &port, void (*due)(void *), void *context);

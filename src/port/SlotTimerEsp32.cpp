@@ -28,7 +28,7 @@ struct Number : HardwareSerial {
 };
 
 void elapsed(void *) {
-  const SlotTimer::Hold hold;
+  const SlotTimer::Lock lock;
   if (!isFree) {
     dueCallback(sensor);
     esp_timer_start_once(timer, next);
@@ -57,7 +57,7 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
     }
     _mutex = xSemaphoreCreateMutexStatic(&mutexMemory);
   }
-  const Hold hold;
+  const Lock lock;
   limitBursts(port, HalfAFrame, Choice<1>());
   number = Number::of(port);
   sensor = context;
@@ -69,7 +69,7 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
 
 // Waits for a call that has begun. One that is still to come finds the timer free.
 void SlotTimer::stop(void *context) {
-  const Hold hold;
+  const Lock lock;
   isFree = isFree || sensor == context;
 }
 

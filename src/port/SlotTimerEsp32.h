@@ -23,25 +23,25 @@ class SlotTimer : public NoSlotTimer {
  public:
   // The task is on another core than loop(): each waits for the other, and loop() up to 1.5 ms while a frame's end is
   // expected.
-  class Hold {
+  class Lock {
    public:
-    Hold() : _taken(_mutex) {
+    Lock() : _taken(_mutex) {
       if (_taken != nullptr) {
         xSemaphoreTake(_taken, portMAX_DELAY);
       }
     }
-    ~Hold() {
+    ~Lock() {
       if (_taken != nullptr) {
         xSemaphoreGive(_taken);
       }
     }
-    Hold(const Hold &) = delete;
-    Hold &operator=(const Hold &) = delete;
+    Lock(const Lock &) = delete;
+    Lock &operator=(const Lock &) = delete;
 
    private:
     const SemaphoreHandle_t _taken;
   };
-  using Apart = Hold;
+  using Apart = Lock;
 
   // No interrupt, and no write to flash, comes between a look at the clock and the start bit; but the cache may lack
   // what lies in flash. So send() looks once more, and the time of the start is the latest that it allows.

@@ -41,7 +41,7 @@ void elapsed(unsigned) {
 
 }  // namespace
 
-volatile bool HoldByFlag::isHeld = false;
+volatile bool FlagLock::isLocked = false;
 
 // Below the UART's interrupt: above it, it would wait forever for the mutex that this one holds (SerialUART.cpp:352 and
 // 518).

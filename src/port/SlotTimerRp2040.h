@@ -17,8 +17,8 @@ namespace sbus {
 // There is only one: a second sensor is polled from loop(). Its interrupt runs on the core that has called begin().
 class SlotTimer : public NoSlotTimer {
  public:
-  using Hold = HoldByFlag;
-  static bool isHeld() { return Hold::isHeld; }
+  using Lock = FlagLock;
+  static bool isLocked() { return Lock::isLocked; }
 
   // No interrupt comes between a look at the clock and the start bit.
   class Alone {

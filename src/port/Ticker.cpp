@@ -4,34 +4,34 @@
 
 namespace sbus {
 
-Ticked *Ticked::first = nullptr;
+PolledByTimer *PolledByTimer::first = nullptr;
 
-bool Ticked::tickAll() {
+bool PolledByTimer::tickAll() {
   bool isDone = true;
-  for (Ticked *ticked = first; ticked != nullptr; ticked = ticked->_next) {
-    if (ticked->_isHeld) {
-      ticked->_wasDue = true;
-    } else if (!ticked->_poll(*ticked)) {
+  for (PolledByTimer *decoder = first; decoder != nullptr; decoder = decoder->_next) {
+    if (decoder->_isLocked) {
+      decoder->_wasDue = true;
+    } else if (!decoder->_poll(*decoder)) {
       isDone = false;
     }
   }
   return isDone;
 }
 
-void Ticked::startTicks(Poll *poll) {
+void PolledByTimer::startPolling(Poll *callback) {
   if (!Ticker::start()) {
     return;
   }
   const Ticker::Change change;
-  _poll = poll;
+  _poll = callback;
   _next = first;
   barrier();
   first = this;
 }
 
-void Ticked::stopTicks() {
+void PolledByTimer::stopPolling() {
   const Ticker::Change change;
-  for (Ticked **place = &first; *place != nullptr; place = &(*place)->_next) {
+  for (PolledByTimer **place = &first; *place != nullptr; place = &(*place)->_next) {
     if (*place == this) {
       *place = _next;
       break;

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "../sbus/Barrier.h"
+#include "Port.h"
 
 namespace sbus {
 
@@ -25,12 +26,8 @@ class AnyTicker {
   static constexpr bool canPoll(const HardwareSerial *) { return true; }
   static constexpr bool canPoll(const void *) { return false; }
 
-  // Polls. Returns false if the port could not be read: tickAll() is to be called again soon.
-  template <typename Decoder>
-  static bool poll(Decoder &decoder) {
-    decoder.parseSBusFrame();
-    return true;
-  }
+  // Returns true if this port can be read now.
+  static bool canRead(Port &) { return true; }
 };
 
 /// @endcond
@@ -64,73 +61,89 @@ namespace sbus {
 /// @cond  Not for sketches.
 
 // A decoder that is polled each millisecond while loop() does other things.
-class Ticked {
+class PolledByTimer {
  public:
-  using Poll = bool(Ticked &);
+  using Poll = bool(PolledByTimer &);
 
-  Ticked() {}
-  Ticked(const Ticked &) = delete;
-  Ticked &operator=(const Ticked &) = delete;
+  PolledByTimer() {}
+  PolledByTimer(const PolledByTimer &) = delete;
+  PolledByTimer &operator=(const PolledByTimer &) = delete;
 
   // Polls all of them; the core's timer calls it. Returns false if it is to be called again soon.
   static bool tickAll();
 
-  // These keep the others from polling, while they exist. A poll that was due meanwhile is made at the end: otherwise a
-  // sketch that calls methods all the time would leave the port full.
+  // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a sketch
+  // that calls methods all the time would leave the port full.
 #if defined(SBUS_TICKER_ESP32)
-  class Hold {
+  class Lock {
    public:
-    explicit Hold(const Ticked &) {}
-    ~Hold() {
+    explicit Lock(const PolledByTimer &) {}
+    ~Lock() {
       if (Ticker::wasDue) {
         Ticker::wasDue = false;
         tickAll();
       }
     }
-    Hold(const Hold &) = delete;
-    Hold &operator=(const Hold &) = delete;
+    Lock(const Lock &) = delete;
+    Lock &operator=(const Lock &) = delete;
 
    private:
     const Ticker::Change _lock;
   };
 #else
-  class Hold {
+  class Lock {
    public:
-    explicit Hold(const Ticked &held) : _held(const_cast<Ticked &>(held)) { set(true); }
-    ~Hold() {
+    explicit Lock(const PolledByTimer &decoder) : _decoder(const_cast<PolledByTimer &>(decoder)) { set(true); }
+    ~Lock() {
       set(false);
-      while (_held._wasDue) {
+      while (_decoder._wasDue) {
         set(true);
-        _held._wasDue = false;
-        _held._poll(_held);
+        _decoder._wasDue = false;
+        _decoder._poll(_decoder);
         set(false);
       }
     }
-    Hold(const Hold &) = delete;
-    Hold &operator=(const Hold &) = delete;
+    Lock(const Lock &) = delete;
+    Lock &operator=(const Lock &) = delete;
 
    private:
-    void set(bool isHeld) {
+    void set(bool isLocked) {
       barrier();
-      _held._isHeld = isHeld;
+      _decoder._isLocked = isLocked;
       barrier();
     }
-    Ticked &_held;
+    PolledByTimer &_decoder;
   };
 #endif
 
  protected:
-  // From now on `poll` is called each millisecond, if a timer is free. Call stopTicks() first.
-  void startTicks(Poll *poll);
+  template <typename Class>
+  static void check() {
+    static_assert(Ticker::canPoll(static_cast<Class *>(nullptr)),
+                  "An interrupt cannot read this port. Use DecodeSBus: extras/docs/interrupts.md");
+  }
+
+  // From now on `callback` is called each millisecond, if a timer is free. Call stopPolling() first.
+  void startPolling(Poll *callback);
   // Stops these calls.
-  void stopTicks();
+  void stopPolling();
+
+  // Returns false if the port could not be read: tickAll() is to be called again soon.
+  template <typename Decoder>
+  static bool poll(Decoder &decoder) {
+    if (!Ticker::canRead(decoder._port)) {
+      return false;
+    }
+    decoder.pollAll(false);
+    return true;
+  }
 
  private:
-  static Ticked *first;
+  static PolledByTimer *first;
 
-  Ticked *_next = nullptr;
+  PolledByTimer *_next = nullptr;
   Poll *_poll = nullptr;
-  volatile bool _isHeld = false;
+  volatile bool _isLocked = false;
   volatile bool _wasDue = false;
 };
 

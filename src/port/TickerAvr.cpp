@@ -24,7 +24,7 @@ void Ticker::stop() {
 ISR(TIMER0_COMPB_vect) {
   TIMSK0 &= static_cast<uint8_t>(~_BV(OCIE0B));
   sei();
-  sbus::Ticked::tickAll();
+  sbus::PolledByTimer::tickAll();
   cli();
   TIMSK0 |= _BV(OCIE0B);
 }

@@ -20,7 +20,7 @@ void elapsed(void *) {
   }
   const Ticker::Change lock(0);
   if (lock.isTaken()) {
-    Ticked::tickAll();
+    PolledByTimer::tickAll();
   } else {
     Ticker::wasDue = true;
   }

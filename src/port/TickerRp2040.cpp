@@ -26,7 +26,7 @@ void arm() {
 // A time that changes from call to call: otherwise the interrupt could stay in step with a loop() that is in a method
 // of the port each time.
 void elapsed(unsigned) {
-  next = Ticked::tickAll() ? Period : next < 2 * Soonest ? next + 1 : Soonest;
+  next = PolledByTimer::tickAll() ? Period : next < 2 * Soonest ? next + 1 : Soonest;
   arm();
 }
 

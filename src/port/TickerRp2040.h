@@ -22,14 +22,7 @@ class Ticker : public AnyTicker {
 
   // If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): the line
   // would seem to be silent.
-  template <typename Decoder>
-  static bool poll(Decoder &decoder) {
-    if (decoder._port.available() == 0 && decoder._port.room() == 0) {
-      return false;
-    }
-    decoder.parseSBusFrame();
-    return true;
-  }
+  static bool canRead(Port &port) { return port.available() != 0 || port.room() != 0; }
 };
 
 /// @endcond

@@ -36,7 +36,7 @@ int sysTickHook() {
 
 // Weak in the core, as sysTickHook() is. (Its pendSVHook() is never called.)
 void PendSV_Handler() {
-  sbus::Ticked::tickAll();
+  sbus::PolledByTimer::tickAll();
 }
 }
 

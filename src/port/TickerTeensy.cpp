@@ -28,7 +28,7 @@ bool isInPort() {
 
 void elapsed() {
   if (!isInPort()) {
-    Ticked::tickAll();
+    PolledByTimer::tickAll();
   }
 }
 

@@ -10,6 +10,7 @@
 #include "FrameBuffer.h"
 #include "FrameRules.h"
 #include "LineTiming.h"
+#include "Slots.h"
 
 namespace sbus {
 
@@ -71,7 +72,18 @@ class FrameFinderOf : private Events {
 
   /// Forgets everything, including the counters. `now` in us; `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   /// `idleCharacters`: how long the port waits for more bytes before it hands over less than a burst.
-  void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters);
+  void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters) {
+    _timing.reset(now, characterTime, idleCharacters);
+    _acquisition.reset();
+    _variant = UnknownVariant;
+    _aligned = false;
+    _hasBreaks = false;
+    _unread = 0;
+    _buffer.clear();
+    startOver(rules::FirstOffBy);
+    _counters = Counters();
+    Events::begin();
+  }
 
   /// Returns where to write the next room() bytes. It changes with each received() and broken().
   uint8_t *space() { return _buffer.space(); }
@@ -79,13 +91,47 @@ class FrameFinderOf : private Events {
   /// Returns how many bytes fit there, 1 or more.
   int room() const { return _buffer.room(); }
 
-  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next.
-  void poll(unsigned found, uint32_t now);
+  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next. (Inlined like
+  /// received(): most polls then cost some 100 cycles a frame less.)
+  SBUS_IN_LINE void poll(unsigned found, uint32_t now) {
+    startPoll(found);
+    if (LineTiming::ClockRuns && _owed) {
+      lost(_counters.shortfalls);
+    }
+    const Silence silence = _timing.silenceBefore<Format>(found, now);
+    if (silence == Silence::Long) {
+      startOver(rules::FirstOffBy);
+    } else if (silence >= Silence::Gap) {
+      gapBefore(silence);
+    } else if (silence == Silence::Likely) {
+      likelyGap();
+    }
+    if (_timing.mayFallShort()) {
+      checkFound();
+    }
+    _acquisition.characters(found);
+  }
 
   /// Likewise, for a port that tells when the line was idle. `isPrompt`: the port has just handed the bytes over and
   /// called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to
   /// read before likelyGap(), or 0.
-  int pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle);
+  ///
+  /// The port does not tell where half of its ring ends. There only the time can show a gap, and other work may have
+  /// delayed the call. So such a gap is certain only after a frame's number of characters, and is not looked for
+  /// between two idle times where a frame is due in time: parts of two frames are a frame period apart.
+  SBUS_IN_LINE int pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
+    startPoll(found);
+    const int all = _buffer.filled() + static_cast<int>(found);
+    const bool isWhole = all == Size && isIdle;
+    int before = 0;
+    if (!isDue() || (!isWhole && all >= Size) || !isInTime(now)) {
+      before = likelyGapAt(silenceBefore(found, isPrompt ? now : _timing.lastPoll()), isWhole);
+    }
+    _timing.take(now);
+    _unread = 0;
+    _acquisition.characters(found);
+    return before;
+  }
 
   /// The line may have been silent after the last byte.
   void likelyGap() { _buffer.markGap(Silence::Likely); }
@@ -99,8 +145,8 @@ class FrameFinderOf : private Events {
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
   const uint8_t *ended() { return settle(Silence::Gap); }
 
-  /// Returns true if the `waiting` bytes need not be read yet: they complete no frame, and no silence shows before them.
-  /// The port has just called back, because half of its ring was full.
+  /// Returns true if the `waiting` bytes need not be read yet: they complete no frame, and no silence shows before
+  /// them. The port has just called back, because half of its ring was full.
   bool mayWait(unsigned waiting, uint32_t now) {
     if (static_cast<unsigned>(_buffer.filled()) + waiting >= Format::Size ||
         !(isDue() ? isInTime(now) : silenceBefore(waiting, now) <= _timing.shortestGap())) {
@@ -119,7 +165,10 @@ class FrameFinderOf : private Events {
   }
 
   /// Drops the incoming frame, because the port has lost bytes after the last one received. Counts an overflow.
-  void broken();
+  void broken() {
+    lost(_counters.overflows);
+  }
+
 
   /// Returns the receiver of the events.
   Events &events() { return *this; }
@@ -148,29 +197,274 @@ class FrameFinderOf : private Events {
 
  private:
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
+  static constexpr int JudgedWorth = 4;            // one header that judge() rejects costs as much as four without an end
+  static constexpr int FarOff = FrameSize24 + 1;   // characters: the most that _expectedAt counts
+  static constexpr uint32_t Unsteady = 2500;       // us: a frame is late by less, parts of two by 4 ms or more
+  static constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter comes from late polls
 
-  void startOver(int offBy);
-  void startPoll(unsigned found);
-  void gapBefore(Silence gap);
+  // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
+  __attribute__((noinline)) static void countUp(uint32_t &counter) { counter++; }
+
+  // Returns true if the next byte is expected to begin a frame, by now in time.
+  SBUS_IN_LINE bool isDue() const { return _aligned && _expectedAt == 0; }
+  bool isInTime(uint32_t now) const { return now - _takenBy < _counters.period + LineTiming::LongestStop; }
+
+  // After lost bytes, or a silence longer than any frame period, the next character may stand anywhere in a frame.
+  void startOver(int offBy) {
+    const int count = _buffer.filled();
+    _counters.discardedBytes += static_cast<unsigned>(count);
+    Events::discarded(_buffer.bytes(), count);
+    _buffer.clear();
+    _expectedAt = static_cast<int8_t>(-offBy);
+    _owed = false;
+    _acquisition.forget(offBy == rules::FirstOffBy);
+  }
+
+  SBUS_IN_LINE void startPoll(unsigned found) {
+    _rejected = 0;
+    _found = static_cast<uint16_t>(found);
+  }
+
+  // Takes a certain gap before the next character. A run of the other size forgets the variant: on a line of that size
+  // two impaired frames may look like one of this size again and again.
+  void gapBefore(Silence gap) {
+    const int filled = _buffer.filled();
+    if (gap == Silence::Wide && filled != 0 && filled < Size && _buffer.isHeader(0)) {
+      uint8_t *const beginning = _buffer.bytes();
+      countUp(_counters.rejectedByLength);
+      Events::rejected(0, Rejection::GapInside);
+      discard(filled);
+      _buffer.restart(beginning);
+    }
+    _buffer.markGap(gap);
+    if (!Events::seesEachGap()) {
+      _acquisition.forget();
+    }
+    if (_acquisition.gap(filled, _variant == UnknownVariant)) {
+      countUp(_counters.otherSizeFrames);
+      _variant = UnknownVariant;
+      _aligned = false;  // out of sync: isUsual() needs a variant
+    }
+  }
+
+  // Returns for how long the line seems to have been silent before the bytes that have come since the last call.
   uint32_t silenceBefore(unsigned found, uint32_t handedOver) const {
     return _timing.silence(found - _unread, handedOver, _unread != 0 ? _timing.lastPoll() : _timing.lastBytes());
   }
-  int likelyGapAt(uint32_t silence, bool isWhole);
-  bool isDue() const { return _aligned && _expectedAt == 0; }
-  bool isInTime(uint32_t now) const { return now - _takenBy < _counters.period + LineTiming::LongestStop; }
-  void checkFound();
-  void lost(uint32_t &counter);
-  const uint8_t *settle(Silence gap);
-  const uint8_t *search(int waiting);
-  bool scan(int waiting);
-  bool find();
-  void noteEnd(int waiting);
-  void takeExtra(int waiting);
-  int firstHeader(int from) const;
-  uint8_t variantAt(int start);
-  Verdict judge(int start, uint8_t variant);
-  const uint8_t *deliver();
-  void discard(int count);
+
+  // Takes a silence that the times show before these bytes. Returns how many bytes wait before it, if it may be a gap:
+  // see pollIdling().
+  int likelyGapAt(uint32_t silence, bool isWhole) {
+    const int filled = _buffer.filled();
+    const bool mayStop = isWhole && (_buffer.gapAt() == 0 || isDue());
+    const bool isLikely = silence > (mayStop ? LineTiming::LongestStop : _timing.shortestGap());
+    if (_unread != 0) {
+      return isLikely ? _unread : 0;
+    }
+    if (silence >= LineTiming::LongSilence) {
+      startOver(rules::FirstOffBy);
+    } else if (silence > _timing.shortestGap() &&
+               (_buffer.gapAt() == filled || _acquisition.isFrame() ||
+                (filled == Size && (isDue() || _buffer.beginsWide())))) {
+      gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
+    } else if (isLikely) {
+      likelyGap();
+    }
+    return 0;
+  }
+
+  // While interrupts are off, a UART keeps a few characters and loses the others. If the line goes on at the same place
+  // of a later frame, 25 characters of two frames stand there without a gap, and only the time shows that. A frame that
+  // broke off may also have lost a character on the line: then there is an apparent gap. Otherwise the port has lost
+  // bytes.
+  void checkFound() {
+    const int filled = _buffer.filled();
+    const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
+    if (_timing.template fallsShort<Format>(_found, missing, _counters.period, _acquisition.isStretched())) {
+      if (!LineTiming::ClockRuns || static_cast<int>(_found) < missing) {
+        _buffer.markGap(Silence::Likely);
+      } else {
+        _owed = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
+      }
+    }
+  }
+
+  // Drops the incoming frame, because the port has lost bytes after it.
+  void lost(uint32_t &counter) {
+    countUp(counter);
+    startOver(FarOff);
+    Events::lost();
+  }
+
+  // Takes a silence after the last byte. Returns the frame that waited for it, or nullptr.
+  const uint8_t *settle(Silence gap) {
+    if (gap == Silence::Unknown || (_buffer.gapAt() == _buffer.filled() && _buffer.gap() >= gap)) {
+      return nullptr;
+    }
+    gapBefore(gap);
+    startPoll(0);
+    return _buffer.filled() < Size ? nullptr : search(0);
+  }
+
+  const uint8_t *search(int waiting) {
+    const bool isFrame =
+        rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) || scan(waiting);
+    noteEnd(waiting);
+    return isFrame ? deliver() : nullptr;
+  }
+
+  // Returns true if a frame is complete.
+  bool scan(int waiting) {
+    uint8_t *const beginning = _buffer.bytes();
+    bool found = find();
+    if (Format::HasExtra && found && _buffer[0] == ExtraHeader) {
+      takeExtra(waiting);
+      found = false;
+    }
+    _buffer.moveTo(beginning);
+    return found;
+  }
+
+  // Returns true if a frame is complete. The buffer then begins with it, and otherwise with what may become a frame.
+  bool find() {
+    while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
+      // A sensor's answer: the next frame is expected after it, and after a gap where the answer lacks a character. So
+      // it is after a break, if an answer or a gap follows.
+      const int untilGap = _buffer.gap() >= Silence::Gap ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
+      int size = SlotSize;
+      if (rules::isBreak(_buffer[0])) {
+        if (_buffer.filled() < 2) {
+          return false;
+        }
+        if (!isSlotId(_buffer[1]) && untilGap != 1) {
+          break;
+        }
+        _hasBreaks = true;
+        size = 1;
+      } else if (!isSlotId(_buffer[0])) {
+        break;
+      } else if (untilGap == 1 || untilGap == 2) {
+        size = untilGap;
+      }
+      if (_buffer.filled() < size) {
+        return false;
+      }
+      discard(size);
+      _expectedAt = 0;
+    }
+    discard(firstHeader(0));
+    int start = 0;
+    bool found = false;
+    for (const int last = _buffer.filled() - Size; start <= last;) {
+      int step = 1, worth = 1;
+      const uint8_t variant = variantAt(start);
+      if (variant != UnknownVariant) {
+        Verdict verdict = judge(start, variant);
+        if (verdict.isAccepted() && rules::mayEndInBreak<Format>(variant, _hasBreaks)) {  // in judge(): 56 bytes more
+          _hasBreaks = false;
+          verdict = Verdict::reject(Rejection::NoEnd);
+        }
+        if (verdict.isAccepted()) {
+          _variant = variant;
+          _aligned = verdict.isAligned();
+          found = true;
+          break;
+        }
+        if (verdict.isOpen()) {
+          break;
+        }
+        countUp(_counters.rejectedByLength);
+        Events::rejected(start, verdict.why());
+        step = verdict.next();
+        worth = JudgedWorth;
+      }
+      // At most 24 headers of a poll are judged, as many as characters follow a frame's header.
+      _rejected = static_cast<uint8_t>(_rejected + worth);
+      start = _rejected < Size - 1 ? firstHeader(start + step) : _buffer.filled();
+    }
+    discard(start);
+    return found;
+  }
+
+  // Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
+  void noteEnd(int waiting) {
+    const int following = _buffer.filled() - Size;
+    if (following >= 0 && static_cast<unsigned>(following + waiting) < _found) {
+      _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
+    }
+  }
+
+  void takeExtra(int waiting) {
+    noteEnd(waiting);
+    countUp(_counters.extraFrames);
+    Events::extra(_buffer.bytes(), _completeAfter);
+    _expectedAt = 0;
+    _buffer.drop(FrameSize);
+  }
+
+  // Returns the index of the first header from `from` on, or filled().
+  int firstHeader(int from) const {
+    const int filled = _buffer.filled();
+    while (from < filled && !_buffer.isHeader(from)) {
+      from++;
+    }
+    return from;
+  }
+
+  // Returns the variant whose form the 25 bytes at `start` have, or UnknownVariant.
+  uint8_t variantAt(int start) {
+    const uint8_t variant = variantOf(_buffer[start + EndAt]);
+    if (variant == UnknownVariant) {
+      countUp(_counters.rejectedByEnd);
+      Events::rejected(start, Rejection::NoEnd);
+    } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
+      countUp(_counters.rejectedByFlags);
+      Events::rejected(start, Rejection::Flags);
+      return UnknownVariant;
+    }
+    return variant;
+  }
+
+  // Inlined: a call would make a line of headers cost a fifth more.
+  SBUS_IN_LINE Verdict judge(int start, uint8_t variant) {
+    const int offBy = start - _expectedAt;
+    const bool isFirst = start == 0;
+    const bool isInSync = offBy == 0 && _aligned;
+    const bool isInTime = _completeAfter - _frameTime < _counters.period + Unsteady;
+    return rules::judge(
+        Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
+                          isFirst ? _buffer.inside() : Silence::Unknown,
+                          isFirst && (isInSync && _counters.period != 0 ? isInTime : _buffer.beginsWide()), variant,
+                          _variant, offBy, isInSync},
+        _acquisition);
+  }
+
+  // Inlined: 13 cycles a frame less.
+  SBUS_IN_LINE const uint8_t *deliver() {
+    const uint8_t *const frame = _buffer.complete();
+    if (_expectedAt < rules::MostNoise - Size && _counters.frames != 0) {
+      countUp(_counters.resyncs);
+    }
+    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
+    const uint32_t interval = _completeAfter - _frameTime;
+    _counters.count(Format::flags(frame), interval);
+    _frameTime = _completeAfter;
+    _takenBy = _timing.lastPoll();
+    Events::interval(interval);
+    Events::taken(frame);
+    return frame;
+  }
+
+  // Discards the first characters of the incoming frame.
+  void discard(int count) {
+    if (_expectedAt > -FarOff) {
+      _expectedAt = static_cast<int8_t>(_expectedAt - count);
+    }
+    _counters.discardedBytes += static_cast<unsigned>(count);
+    Events::discarded(_buffer.bytes(), count);
+    _buffer.drop(count);
+  }
+
   static uint8_t variantOf(uint8_t end) {
     const uint8_t variant = variantOfEnd(end);
     return Format::Variants == UnknownVariant || variant < Format::Variants ? variant : UnknownVariant;
@@ -193,51 +487,6 @@ class FrameFinderOf : private Events {
   uint32_t _takenBy;  // us: time of the poll that brought the last frame
   Counters _counters;
 };
-
-template <typename Format, typename Events>
-SBUS_IN_LINE void FrameFinderOf<Format, Events>::startPoll(unsigned found) {
-  _rejected = 0;
-  _found = static_cast<uint16_t>(found);
-}
-
-// Inlined like received(): most polls then cost some 100 cycles a frame less.
-template <typename Format, typename Events>
-SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now) {
-  startPoll(found);
-  if (LineTiming::ClockRuns && _owed) {
-    lost(_counters.shortfalls);
-  }
-  const Silence silence = _timing.silenceBefore<Format>(found, now);
-  if (silence == Silence::Long) {
-    startOver(rules::FirstOffBy);
-  } else if (silence >= Silence::Gap) {
-    gapBefore(silence);
-  } else if (silence == Silence::Likely) {
-    _buffer.markGap(silence);
-  }
-  if (_timing.mayFallShort()) {
-    checkFound();
-  }
-  _acquisition.characters(found);
-}
-
-// The port tells when the line was idle, but not where half of its ring ends. There only the time can show a gap, and
-// other work may have delayed the call. So such a gap is certain only after a frame's number of characters, and is not
-// looked for between two idle times where a frame is due in time: parts of two frames are a frame period apart.
-template <typename Format, typename Events>
-SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
-  startPoll(found);
-  const int all = _buffer.filled() + static_cast<int>(found);
-  const bool isWhole = all == Format::Size && isIdle;
-  int before = 0;
-  if (!isDue() || (!isWhole && all >= Format::Size) || !isInTime(now)) {
-    before = likelyGapAt(silenceBefore(found, isPrompt ? now : _timing.lastPoll()), isWhole);
-  }
-  _timing.take(now);
-  _unread = 0;
-  _acquisition.characters(found);
-  return before;
-}
 
 /// Finds frames of 16 channels, which nearly all receivers send.
 using FrameFinder = FrameFinderOf<Frame16>;

@@ -17,6 +17,9 @@ enum class LinkState : uint8_t {
   Stale,      ///< no frame within the timeout: wire, receiver or power
 };
 
+/// Returns true if a frame has come within the timeout.
+inline bool isYoung(LinkState state) { return state != LinkState::NeverSeen && state != LinkState::Stale; }
+
 /// Keeps the state of the link. Times are in us and wrap after 71 minutes. The context that reads the port calls
 /// frame() once for each frame; frame() may interrupt the other methods: then call them again.
 class Link {

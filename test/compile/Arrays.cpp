@@ -12,6 +12,7 @@
 // 11 DecodeSBusTelemetryOf<.* is an inaccessible base of .*SBus2Sensor
 // 12 DecodeSBusOf<.* is an inaccessible base of .*SBus2Sensor
 // 13 no member named .*decodeExtraChannels
+// 14 Write DecodeSBus dSBus(Serial1), without the &
 #include <EncodeSBus.h>
 #include <SBus2Sensor.h>
 #include <sbus/Calibrator.h>
@@ -39,13 +40,13 @@ void function(uint16_t channels[]) {
   dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
 }
 
-template <typename Events>
-void openTelemetry(DecodeSBusTelemetryOf<Events> &decoder) {
+template <typename Events, typename Polling>
+void openTelemetry(DecodeSBusTelemetryOf<Events, Polling> &decoder) {
   decoder.begin();
 }
 
-template <typename Format, typename Events>
-void open(DecodeSBusOf<Format, Events> &decoder) {
+template <typename Format, typename Events, typename Polling>
+void open(DecodeSBusOf<Format, Events, Polling> &decoder) {
   decoder.begin();
 }
 
@@ -98,5 +99,7 @@ void arguments() {
   open(sensor);
 #elif CASE == 13
   dSBus.decodeExtraChannels(sixteen);
+#elif CASE == 14
+  DecodeSBus pointed(&Serial1);
 #endif
 }

@@ -37,7 +37,8 @@ impairment() {  # SRC OUT
 if [ "$1" = check ]; then
   for rule in $rules; do
     if ! copy "$rule"; then echo "FAILED impairment/RULES: $rule: $(column "$rule" 2)() is not one function of src/sbus/*.h"
-    elif ! g++ -std=gnu++11 -I"$BUILD/without/$rule/src" -fsyntax-only "$BUILD/without/$rule/src/sbus/FrameFinder.cpp"; then
+    elif ! echo "template class sbus::FrameFinderOf<sbus::Frame16>;" |
+      g++ -std=gnu++11 -I"$BUILD/without/$rule/src" -include sbus/FrameFinder.h -fsyntax-only -x c++ -; then
       echo "FAILED impairment/RULES: the core does not compile without $rule"
     elif [ -z "$(column "$rule" 4)" ]; then echo "FAILED impairment/RULES: no line shows what the rule $rule is worth"
     elif ! grep -q "| \`$rule\` |" ../../extras/docs/receiver.md; then echo "FAILED receiver.md: no row for the rule $rule"

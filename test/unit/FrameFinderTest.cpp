@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "sbus/FrameFinder.tpp"
+#include "sbus/FrameFinder.h"
 #include "sbus/Slots.h"
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
@@ -28,8 +28,6 @@ struct Discarded : sbus::NoEvents {
   int bytes = 0;
   void discarded(const uint8_t *, int count) { bytes += count; }
 };
-
-SBUS_COMPILE_FINDER(sbus::Frame16, Discarded)
 
 TEST_CASE("frame() is null before the first frame; reset forgets frames, incomplete frames and counters") {
   Feeder line;

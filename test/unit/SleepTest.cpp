@@ -23,10 +23,6 @@ constexpr uint64_t Timeout = 100 * Ms;
 // An age that millis() shows counts from when the frame was handed over, at up to 3.5 ms less.
 constexpr uint64_t Slack = 6 * Ms;
 
-bool isYoung(LinkState state) {
-  return state == LinkState::Ok || state == LinkState::Lossy;
-}
-
 // Checks that all methods agree on a frame that is stale, or not.
 template <typename Decoder>
 void checkStale(Decoder &decoder, bool isStale) {
@@ -203,9 +199,9 @@ TEST_CASE("on a board that is awake, no frame is stale over five hours, with pau
     while (fakeMicros < start + 5 * Hour) {
       board.block(fakeMicros % (94 * Ms));
       board.sbus.parseSBusFrame();
-      REQUIRE(isYoung(board.sbus.linkState()));
+      REQUIRE(sbus::isYoung(board.sbus.linkState()));
       board.frame(PaperLow.bytes);
-      REQUIRE(isYoung(board.sbus.linkState()));
+      REQUIRE(sbus::isYoung(board.sbus.linkState()));
       REQUIRE(board.sbus.frameAge() <= 2);
     }
     CHECK(board.sbus.counters().overflows == 0);

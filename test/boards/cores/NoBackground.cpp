@@ -3,8 +3,7 @@
 // 0 knows no timer of this core.*extras/docs/interrupts.md
 // 1 An interrupt cannot read this port.*extras/docs/interrupts.md
 // 2 would delay the answers of an SBus2Sensor.*extras/docs/interrupts.md
-// 3 DecodeSBus.* is an inaccessible base of .*DecodeSBusBackground
-// 4 DecodeSBusOf<.* is an inaccessible base of .*DecodeSBusBackground
+// 3 DecodeSBusBackground.* to .*DecodeSBus
 #include <DecodeSBusBackground.h>
 
 #if CASE == 1
@@ -14,15 +13,6 @@ DecodeSBusBackground dSBus(static_cast<Stream &>(Serial1));
 #elif CASE == 3
 DecodeSBusBackground dSBus(Serial1);
 void open(DecodeSBus &decoder) {
-  decoder.begin();
-}
-void setup() {
-  open(dSBus);
-}
-#elif CASE == 4
-DecodeSBusBackground dSBus(Serial1);
-template <typename Format, typename Events>
-void open(DecodeSBusOf<Format, Events> &decoder) {
   decoder.begin();
 }
 void setup() {

@@ -7,15 +7,15 @@
 
 namespace {
 
-struct Counted : sbus::Ticked {
+struct Counted : sbus::PolledByTimer {
   unsigned polls = 0;
   void start() {
-    startTicks([](sbus::Ticked &ticked) {
+    startPolling([](sbus::PolledByTimer &ticked) {
       static_cast<Counted &>(ticked).polls++;
       return true;
     });
   }
-  void stop() { stopTicks(); }
+  void stop() { stopPolling(); }
 };
 
 }  // namespace

@@ -139,37 +139,36 @@ define core_rules
 $1_core = $(if $(filter stm32l0,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
-  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/DecodeSBus32.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
+  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
-  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/ReceiveOnlyTest: $(OUT)/$1/ReceiveOnlyTest.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/Uart.o \
+$(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/Uart.o \
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/DecodeSBus32.o \
-  $(OUT)/$1/DecodeSBusTelemetry.o \
+$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o \
   $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/DecodeSBus32.o \
+$(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o \
   $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
-  $(OUT)/$1/DecodeSBus.o $(OUT)/Main.o $(SBUS)
+  $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PpmOutTest: $(OUT)/Uart.o $(OUT)/$1/PpmOutTest.o $(if $(filter pico,$1),$(OUT)/$1/PicoAlarms.o) \
-  $(OUT)/$1/PpmOutSketch.o $(OUT)/$1/DecodeSBus.o $(OUT)/Main.o $(SBUS)
+  $(OUT)/$1/PpmOutSketch.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/TasksSketch.o $(OUT)/$1/PpmOutSketch.o: $(OUT)/$1/%Sketch.o: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c $(ROOT)/examples/$$*/$$*.ino -o $$@
-$(OUT)/$1/JoystickTest: $(OUT)/Uart.o $(OUT)/$1/JoystickTest.o $(OUT)/$1/DecodeSBus.o $(OUT)/Main.o $(SBUS)
+$(OUT)/$1/JoystickTest: $(OUT)/Uart.o $(OUT)/$1/JoystickTest.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/JoystickTest.o: $(HERE)/JoystickTest.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)

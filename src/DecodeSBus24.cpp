@@ -1,3 +1,0 @@
-#include "DecodeSBus.tpp"
-
-SBUS_COMPILE_DECODER(sbus::Frame24)

@@ -1,0 +1,35 @@
+/// @file
+/// How a decoder is polled when loop() alone polls it.
+///
+/// Not part of the interface: it may change in any release.
+#pragma once
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// loop() polls, or the port calls back (Listener.h). PolledByTimer does by a timer instead (Ticker.h), and has the same
+// members.
+struct PolledByLoop {
+  // Keeps other contexts from polling, while it exists.
+  struct Lock {
+    explicit Lock(const PolledByLoop &) {}
+  };
+
+  // Fails to compile if a port of this class cannot be polled in this way.
+  template <typename Port>
+  static void check() {}
+
+  template <typename Poll>
+  static void startPolling(Poll *) {}
+  static void stopPolling() {}
+
+  template <typename Decoder>
+  static bool poll(Decoder &) {
+    return true;
+  }
+};
+
+/// @endcond
+
+}  // namespace sbus

@@ -1,3 +1,0 @@
-#include "FrameFinder.tpp"
-
-SBUS_COMPILE_FINDER(sbus::Frame24)

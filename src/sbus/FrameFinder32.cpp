@@ -1,4 +1,0 @@
-#include "ExtraFrame.h"
-#include "FrameFinder.tpp"
-
-SBUS_COMPILE_FINDER(sbus::Frame16Extra, sbus::ExtraFrame)
