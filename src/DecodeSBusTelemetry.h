@@ -3,8 +3,8 @@
 #pragma once
 
 #include "DecodeSBus.h"
-#include "sbus/Sensors.h"
-#include "sbus/Telemetry.h"
+#include "sbus2/Sensors.h"
+#include "sbus2/Telemetry.h"
 
 /// Decodes sixteen channels and two switches like DecodeSBus, and the telemetry of an S.BUS2 line:
 ///
@@ -23,7 +23,7 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events, Polling
   using PolledBy = DecodeSBusTelemetryOf<Events, Other>;  ///< see DecodeSBusOf
   using Decoder::Decoder;                                 ///< see DecodeSBusOf()
 
-  /// Reads the sensor in the slots from `slot` on, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
+  /// Reads the sensor in the slots from `slot` on, 0..31, into `sensor`: a type of sbus2/Sensors.h, or one of your own
   /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
   /// sensor's slots have come within the last second; otherwise `sensor` is unchanged. All values of a sensor are from
   /// one moment, and can be read one frame, 15 ms, after they were sent. From the first call for a sensor on, its slots

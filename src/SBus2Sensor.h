@@ -5,8 +5,8 @@
 #include "DecodeSBusTelemetry.h"
 #include "port/HandOver.h"
 #include "port/SlotTimer.h"
-#include "sbus/Answers.h"
-#include "sbus/FrameRhythm.h"
+#include "sbus2/Answers.h"
+#include "sbus2/FrameRhythm.h"
 
 #if defined(SBUS_BACKGROUND)
 #error "DecodeSBusBackground would delay the answers of an SBus2Sensor: extras/docs/interrupts.md"
@@ -126,7 +126,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
 
   // ---- Answering
 
-  /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().
+  /// Answers with `sensor`, a type of sbus2/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().
   /// An answer never mixes the values of two calls. Returns false if a value is out of range, and answers with the
   /// nearest value in range. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not lie
   /// within one group of eight. Call it at any rate.

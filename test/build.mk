@@ -36,8 +36,8 @@ INCLUDES := -I. -I$(SRC) -I$(HOST) -I$(EXTRAS) $(ARDUINO)
 BOARDS = $(BOARD) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES)
 PCS = -std=c++17 $(WARNINGS) $(DEPENDENCIES) $(INCLUDES)
 
-CORE_SOURCES := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus/*.cpp))
-CORE_HEADERS := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus/*.h))
+CORE_SOURCES := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus*/*.cpp))
+CORE_HEADERS := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus*/*.h))
 SOURCES := $(CORE_SOURCES) $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/*.cpp))
 LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/*/*.cpp))
 
@@ -127,7 +127,7 @@ $(OUT)/macros/%.o: $(SRC)/%.cpp compile/ArduinoMacros.h build.mk
 	$(CXX) $(BOARD) $(WARNINGS) $(DEPENDENCIES) -include compile/ArduinoMacros.h -c $< -o $@
 
 # As a user builds, without warnings.
-$(OUT)/Arrays.rejected: compile/Arrays.cpp $(wildcard $(SRC)/*.h $(SRC)/sbus/*.h $(SRC)/port/*.h) build.mk
+$(OUT)/Arrays.rejected: compile/Arrays.cpp $(wildcard $(SRC)/*.h $(SRC)/sbus*/*.h $(SRC)/port/*.h) build.mk
 	@mkdir -p $(@D) && rm -f $@
 	$(CXX) $(BOARD) $(INCLUDES) -DCASE=0 -include Arduino.h -fsyntax-only $<
 	sed -n 's,^// \([1-9][0-9]*\) ,\1 ,p' $< | while read -r case text; do \
@@ -135,7 +135,7 @@ $(OUT)/Arrays.rejected: compile/Arrays.cpp $(wildcard $(SRC)/*.h $(SRC)/sbus/*.h
 	  grep -e 'error:' -e note: $@.said | grep "$$text" || exit; done >$@
 
 cross = $(CROSS) $(shell $(EXTRAS)/setup/arm-specs.sh) $(BOARD) $(WARNINGS) -Os -mcpu=cortex-m0plus -mthumb $(DEPENDENCIES) $1 -c $< -o $@
-$(OUT)/cross/sbus/%.o: $(SRC)/sbus/%.cpp build.mk
+$(OUT)/cross/sbus%.o: $(SRC)/sbus%.cpp build.mk
 	@mkdir -p $(@D)
 	$(call cross)
 $(OUT)/cross/%.o: $(SRC)/%.cpp build.mk

@@ -86,7 +86,7 @@ include=$(tr '\n' ' ' <library.json | sed -n 's/.*"include": \[\([^]]*\)\].*/\1/
 [ "$(git ls-files $include library.json library.properties README.md LICENSE)" = "$(cd "$library" && find . -type f | sed 's,^\./,,' | LC_ALL=C sort)" ]
 verdict $? "library.json names the same files for PlatformIO"
 failed=0
-for source in "$library"/src/*.cpp "$library"/src/sbus/*.cpp "$library"/examples/DecodeSBus/DecodeSBus.ino; do
+for source in "$library"/src/*.cpp "$library"/src/sbus*/*.cpp "$library"/examples/DecodeSBus/DecodeSBus.ino; do
   g++ -std=gnu++11 -fsyntax-only -DARDUINO=10819 -I"$library/src" -I"$host/arduino" -I"$host/standin" \
     -x c++ -include Arduino.h "$source" || failed=1
 done

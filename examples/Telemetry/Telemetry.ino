@@ -21,7 +21,7 @@
 
 DecodeSBusTelemetry dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
-typedef sbus::VoltageSbs01V Sensor;  // others: src/sbus/Sensors.h
+typedef sbus::VoltageSbs01V Sensor;  // others: src/sbus2/Sensors.h
 const uint8_t SLOT = 1;              // its first slot, as set on the radio
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms

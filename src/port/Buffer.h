@@ -1,7 +1,5 @@
 /// @file
 /// How many bytes the cores' ports hold, how many they hand over at once, and how long they hold these back.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

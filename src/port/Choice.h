@@ -1,7 +1,5 @@
 /// @file
 /// Chooses the first of several overloads that compiles.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 namespace sbus {

@@ -1,7 +1,5 @@
 /// @file
 /// Tells how old a frame is, also on a core whose micros() stands still while the board sleeps.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

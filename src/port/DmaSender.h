@@ -2,8 +2,6 @@
 /// Sends on a port of the STM32L0 by DMA. The core's own way needs an interrupt for each character: if one comes late
 /// by a character, even once, the port sends the contents of the flash forever (stm32l0_uart.c:703: TC is served while
 /// TXEIE is on, then `tx_data` counts up from address 0).
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

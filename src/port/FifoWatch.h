@@ -1,8 +1,6 @@
 /// @file
 /// Derives when a frame ended from the fill level of a UART's receive FIFO, for a driver that hands characters over at
 /// unknown times.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

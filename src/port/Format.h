@@ -1,7 +1,5 @@
 /// @file
 /// The format of an S.Bus line as the core names it: 8 data bits, even parity, 2 stop bits, inverted.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,8 +1,6 @@
 /// @file
 /// Says how long after its end the port hands a character over: this reveals the gaps, and tells an S.BUS2 sensor when
 /// a frame ended.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

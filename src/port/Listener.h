@@ -1,7 +1,5 @@
 /// @file
 /// Lets a port call back when it has handed bytes over, and keeps the call from disturbing what loop() does meanwhile.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

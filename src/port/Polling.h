@@ -1,7 +1,5 @@
 /// @file
 /// How a decoder is polled when loop() alone polls it.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 namespace sbus {

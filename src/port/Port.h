@@ -1,7 +1,5 @@
 /// @file
 /// Reads and writes a serial port of any class.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,7 +1,5 @@
 /// @file
 /// The kinds of serial ports, recognised by what their classes can do, and how each is opened.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,7 +1,5 @@
 /// @file
 /// Sends a slot on time while loop() is busy: one file for each core that can do that, and nothing for the others.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

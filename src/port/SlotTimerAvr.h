@@ -2,8 +2,6 @@
 /// The SlotTimer of an AVR: compare B of timer 2, in steps of 4 us. It polls the port, often while a frame's end is
 /// expected. tone() and analogWrite() of its pins (Mega: 9, 10; Uno: 3, 11) do not work beside it. (Timer 0, of
 /// millis(), is a PWM: there a new compare value waits for the overflow.)
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -2,8 +2,6 @@
 /// The SlotTimer of an ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer. Its task polls the port and
 /// watches the UART's FIFO, often while a frame's end is expected. Tasks of a higher priority (WiFi) and writes to
 /// flash delay that task, and cost answers.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

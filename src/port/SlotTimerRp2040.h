@@ -1,8 +1,6 @@
 /// @file
 /// The SlotTimer of an RP2040 or RP2350 (arduino-pico): an alarm of the microsecond timer that nothing else uses. It
 /// polls the port, often while a frame's end is expected, at the lowest priority: other interrupts come first.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

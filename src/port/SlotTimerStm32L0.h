@@ -1,7 +1,5 @@
 /// @file
 /// The SlotTimer of an STM32L0: TIM7, which nothing in the core uses, calls when a slot is due.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,7 +1,5 @@
 /// @file
 /// Polls decoders each millisecond, whatever loop() does: one file for each core that can do that.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

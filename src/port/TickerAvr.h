@@ -1,8 +1,6 @@
 /// @file
 /// The Ticker of an AVR: compare B of timer 0, which counts millis(). It comes once in 256 counts of 64 cycles, 1.024
 /// ms at 16 MHz, wherever analogWrite() puts it: no timer is taken.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,8 +1,6 @@
 /// @file
 /// The Ticker of an ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer. Its task polls. Tasks of a higher
 /// priority (WiFi) and writes to flash hold it up.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

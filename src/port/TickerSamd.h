@@ -1,7 +1,5 @@
 /// @file
 /// The Ticker of a SAMD: the core's tick of a millisecond, SysTick, asks for PendSV, which polls. No timer is taken.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

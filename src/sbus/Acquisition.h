@@ -1,7 +1,5 @@
 /// @file
 /// Decides whether a line carries frames of this size at all.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

@@ -1,7 +1,5 @@
 /// @file
 /// Compiler barrier.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 namespace sbus {

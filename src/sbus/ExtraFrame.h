@@ -1,7 +1,5 @@
 /// @file
 /// Keeps the newest frame with extra channels (header 2F), from the events of a FrameFinder.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

@@ -1,7 +1,5 @@
 /// @file
 /// Two alternating places for frames, so that no frame is copied.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

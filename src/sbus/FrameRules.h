@@ -1,8 +1,6 @@
 /// @file
 /// Decides whether 25 characters are a frame, with one function for each rule. extras/docs/receiver.md says what each
 /// rule is worth.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

@@ -1,7 +1,5 @@
 /// @file
 /// Derives the gaps of a line from the times at which its port was polled.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <limits.h>

@@ -1,7 +1,5 @@
 /// @file
 /// Measures by millis() how long micros() has stood still: on some cores it does while the board sleeps.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

@@ -132,7 +132,7 @@ def main(out):
             [name for name in library["headers"] + properties["includes"].split(",") if not (root / "src" / name).is_file()])
 
     files = component_files(root, component.get("files", {}))
-    core = {str(path) for path in root.glob("src/sbus/*")}
+    core = {str(path) for path in root.glob("src/sbus*/*")}
     rest = {"CMakeLists.txt", "CHANGELOG.md", "LICENSE", "README.md"}
     verdict("a component has the core and no more", sorted(files ^ (core | rest)))
     # scripts/zephyr_module.py of commit 013c135, process_cmake() and process_kconfig()

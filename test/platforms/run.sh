@@ -37,10 +37,10 @@ run() {
   verdict $? "$what"
 }
 
-# members FOLDER: the library built there is made of src/sbus and nothing else. (An installed one was built elsewhere.)
+# members FOLDER: the library built there is made of src/sbus and src/sbus2, and nothing else. (An installed one was built elsewhere.)
 members() {
   archive=$(find "$1" -name '*.a')
-  [ -z "$archive" ] || [ "$(ar t "$archive" | sed 's/\.o$//;s/\.obj$//' | sort)" = "$(cd "$root/src/sbus" && ls ./*.cpp | sed 's,^\./,,' | sort)" ]
+  [ -z "$archive" ] || [ "$(ar t "$archive" | sed 's/\.o$//;s/\.obj$//' | sort)" = "$(cd "$root/src" && ls sbus*/*.cpp | sed 's,.*/,,' | sort)" ]
 }
 
 run "a project that fetches the library runs" consumer fetched -DSOURCE="$root"
@@ -58,7 +58,7 @@ cmake -S "$out/copy" -B "$out/library" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedant
   cmake --install "$out/library" --prefix "$out/installed" && members "$out/library" &&
   mv "$out/installed" "$out/moved" && rm -r "$out/library" "$out/copy"
 verdict $? "the library is installed"
-[ "$(cd "$out/moved/include/decodesbus" && find . -type f | sort)" = "$(cd src && find ./sbus -name '*.h' | sort)" ]
+[ "$(cd "$out/moved/include/decodesbus" && find . -type f | sort)" = "$(cd src && find ./sbus ./sbus2 -name '*.h' | sort)" ]
 verdict $? "the installed library has the headers of the core, and no others"
 [ "$(ls "$out/moved/include")" = decodesbus ]
 verdict $? "... in a folder of its own"

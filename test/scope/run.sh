@@ -15,7 +15,7 @@ else
 fi
 line=../../extras/line
 g++ -std=c++17 -O1 -I../../src -I../../extras Frames.cpp "$line"/system/Posix.cpp "$line"/recording/CsvRows.cpp "$line"/LineSettings.cpp "$line"/recording/Recording*.cpp "$line"/recording/WallTime.cpp \
-  ../../src/sbus/*.cpp -o "$build/Frames" || echo "FAILED scope/Frames does not build"
+  ../../src/sbus*/*.cpp -o "$build/Frames" || echo "FAILED scope/Frames does not build"
 "${MAKE:-make}" --no-print-directory -s -C ../../extras/cli BUILD="$build/cli" || echo "FAILED sbus does not build"
 SCOPE_BUILD="$build" timeout 60 node units.mjs || echo "FAILED scope/units.mjs ended with status $?"
 SCOPE_BUILD="$build" timeout 300 node sources.mjs || echo "FAILED scope/sources.mjs ended with status $?"

@@ -59,7 +59,7 @@ ram() { sections "$1" | awk '/^\.(data|bss|noinit)/ { sum += $2 } END { print su
 for chip in avr arm; do
   rm -rf "${out:?}/$chip"
   mkdir -p "$out/$chip"
-  for source in "$root"/src/*.cpp "$root"/src/sbus/*.cpp; do
+  for source in "$root"/src/*.cpp "$root"/src/sbus*/*.cpp; do
     $chip -c "$source" -o "$out/$chip/$(basename "$source" .cpp).o"
   done
   program $chip "$out/$chip-NOTHING" "" -DUSE_NOTHING Uses.cpp

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sbus/Answers.h"
+#include "sbus2/Answers.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 

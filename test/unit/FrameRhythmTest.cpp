@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "line/simulation/Random.h"
-#include "sbus/FrameRhythm.h"
+#include "sbus2/FrameRhythm.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "sbus/Sensors.h"
+#include "sbus2/Sensors.h"
 
 namespace {
 

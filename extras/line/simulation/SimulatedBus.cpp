@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sbus/Sensors.h"
+#include "sbus2/Sensors.h"
 
 namespace line {
 

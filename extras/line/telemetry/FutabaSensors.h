@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sbus/Sensors.h"
+#include "sbus2/Sensors.h"
 
 namespace line {
 

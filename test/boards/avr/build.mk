@@ -103,7 +103,7 @@ $(OUT)/leonardo/HID.o: $(ARDUINO)/libraries/HID/src/HID.cpp $(HERE)/build.mk
 # With the host's lines, and what of the core they and the expectations need.
 TEST := $(filter-out $(OURS_ALONE:%=\%/%.cpp),$(wildcard $(HERE)/*.cpp)) \
   $(wildcard $(addprefix $(ROOT)/extras/line/,*.cpp simulation/*.cpp recording/*.cpp uart/*.cpp telemetry/*.cpp capture/Parsing.cpp system/Posix.cpp)) \
-  $(wildcard $(ROOT)/src/sbus/*.cpp)
+  $(wildcard $(ROOT)/src/sbus*/*.cpp)
 $(OUT)/BoardTest: $(TEST:$(ROOT)/%.cpp=$(OUT)/pc/%.o)
 	$(CXX) $^ -lsimavr -o $@
 $(OUT)/pc/%.o: $(ROOT)/%.cpp $(HERE)/build.mk

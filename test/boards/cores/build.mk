@@ -126,7 +126,7 @@ list:
 include $(ROOT)/extras/setup/flags.mk
 FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
 TEST := -std=gnu++14 -O1 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
-SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
+SBUS := $(patsubst $(ROOT)/src/%.cpp,$(OUT)/core/%.o,$(wildcard $(ROOT)/src/sbus*/*.cpp))
 
 comma := ,
 SIMULATION := $(addprefix simulation/,SimulatedBus SimulatedReceiver BusJudge Flight) LineSettings
@@ -235,7 +235,7 @@ $(SIMULATION:%=$(OUT)/%.o): $(OUT)/%.o: $(ROOT)/extras/line/%.cpp $(HERE)/build.
 $(OUT)/Main.o: $(ROOT)/test/support/Main.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(DEPENDENCIES) -c $< -o $@
-$(OUT)/sbus/%.o: $(ROOT)/src/sbus/%.cpp $(HERE)/build.mk
+$(OUT)/core/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(BOARD) $(FLAGS) -O1 $(DEPENDENCIES) -c $< -o $@
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "Barrier.h"
+#include "../sbus/Barrier.h"
 
 namespace sbus {
 

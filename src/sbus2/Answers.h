@@ -1,12 +1,10 @@
 /// @file
 /// What a board answers on an S.BUS2 line, and when each slot is due. It knows no clock: times come in.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>
 
-#include "Slots.h"
+#include "../sbus/Slots.h"
 #include "Telemetry.h"
 
 namespace sbus {

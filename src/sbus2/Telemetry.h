@@ -1,13 +1,11 @@
 /// @file
 /// Keeps the newest telemetry of an S.BUS2 line, from the events of a FrameFinder.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>
 
-#include "FrameFinder.h"
-#include "Slots.h"
+#include "../sbus/FrameFinder.h"
+#include "../sbus/Slots.h"
 
 namespace sbus {
 

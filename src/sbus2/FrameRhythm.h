@@ -1,7 +1,5 @@
 /// @file
 /// How soon the next frame may begin: a sensor's answers must not collide with it.
-///
-/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

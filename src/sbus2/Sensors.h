@@ -15,7 +15,7 @@
 
 #include <stdint.h>
 
-#include "Slots.h"
+#include "../sbus/Slots.h"
 
 namespace sbus {
 
