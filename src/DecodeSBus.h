@@ -6,7 +6,6 @@
 #include <Arduino.h>
 #include <limits.h>
 
-#include "SBusPort.h"
 #include "port/Clock.h"
 #include "port/Listener.h"
 #include "port/Polling.h"
@@ -14,18 +13,24 @@
 #include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
 #include "sbus/FrameValue.h"
-#include "sbus/Link.h"
 
 namespace sbus {
 
 class LinkQuality;
 
-/// @cond  Not for sketches.
+/// Returns true if begin() opens this port inverted; otherwise the line needs an inverter, or the sketch that opens the
+/// port inverts it.
+template <typename Port>
+constexpr bool inverts(Port &) {
+  return KindOf<Port>::Inverts;
+}
 
-// A link, and the clock that its ages come from. (A base class without members takes no byte.)
-struct ClockedLink : Link, Clock {};
-
-/// @endcond
+/// Returns true if begin() can open this port inverted and uninverted, any number of times: on an ESP32 or ESP8266 on
+/// the pins given to DecodeSBus's constructor, or on the core's.
+template <typename Port>
+constexpr bool opensBothWays(Port &) {
+  return KindOf<Port>::BothWays;
+}
 
 }  // namespace sbus
 

@@ -6,13 +6,10 @@
 #include <stdint.h>
 
 #include "../sbus/LineTiming.h"
-#include "Choice.h"
 #include "Format.h"
 #include "HandOver.h"
 
 namespace sbus {
-
-/// @cond  Not for sketches.
 
 // The size assumed for an unknown port: the smallest of all cores (Pico). Too large a size would let lost bytes go
 // unnoticed.
@@ -73,7 +70,5 @@ constexpr uint8_t idleCharacters(HandOver handOver) {
          : handOver == HandOver::Dma16                                     ? 1
                                                                            : MostIdleCharacters;
 }
-
-/// @endcond
 
 }  // namespace sbus

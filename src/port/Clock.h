@@ -5,13 +5,12 @@
 #include <Arduino.h>
 #include <stdint.h>
 
+#include "../sbus/Link.h"
 #if defined(SERIAL_SBUS)
 #include "../sbus/SleepClock.h"
 #endif
 
 namespace sbus {
-
-/// @cond  Not for sketches.
 
 #if defined(SERIAL_SBUS)
 
@@ -61,6 +60,7 @@ class Clock {
 
 #endif
 
-/// @endcond
+// A link, and the clock that its ages come from. (A base class without members takes no byte.)
+struct ClockedLink : Link, Clock {};
 
 }  // namespace sbus

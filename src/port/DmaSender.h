@@ -15,8 +15,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // The characters are copied, and sending needs no interrupt: whatever happens, the port sends these characters, one
 // directly after the other, and nothing else.
 class DmaSender {
@@ -37,8 +35,6 @@ class DmaSender {
   // library's archive (`dot_a_linkage`) only for another method.
   __attribute__((weak)) static void flush(const HardwareSerial *port);
 };
-
-/// @endcond
 
 }  // namespace sbus
 

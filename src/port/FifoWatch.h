@@ -9,8 +9,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are delayed: if it
 // holds one more than at the previous look, a character came between the two looks. A late look makes the bounds wide,
 // never wrong.
@@ -57,7 +55,5 @@ class FifoWatch {
   uint32_t _before = 0, _by = 0;
   End _end = {0, 0};
 };
-
-/// @endcond
 
 }  // namespace sbus

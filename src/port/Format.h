@@ -16,6 +16,12 @@ class HardwareSerialIMXRT;
 
 namespace sbus {
 
+// Orders overloads: of those that compile, the one with the highest number is called.
+template <int Number>
+struct Choice : Choice<Number - 1> {};
+template <>
+struct Choice<0> {};
+
 /// The core's SERIAL_8E2, a macro or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1: they
 /// see the second stop bit as an idle line.
 #if defined(SERIAL_8E1) && !defined(SERIAL_8E2)
@@ -38,8 +44,6 @@ constexpr uint32_t PortConfig = SERIAL_8E1_RXINV_TXINV;
 constexpr uint32_t PortConfig = static_cast<uint32_t>(EvenConfig) | InvertedBit;
 #endif
 
-/// @cond  Not for sketches.
-
 // A format that converts to the type of the core's begin(): 8, 16 or 32 bits, or an enum.
 struct Config {
   uint32_t value;  // a format of the core, or PortConfig
@@ -51,7 +55,5 @@ struct Config {
     return static_cast<Format>(value & ~InvertedBit);
   }
 };
-
-/// @endcond
 
 }  // namespace sbus

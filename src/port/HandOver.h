@@ -7,12 +7,9 @@
 #include <stdint.h>
 
 #include "../sbus/Frame.h"
-#include "Choice.h"
 #include "Format.h"
 
 namespace sbus {
-
-/// @cond  Not for sketches.
 
 // The moment at which a port counts a character as waiting.
 enum class HandOver : uint8_t {
@@ -97,7 +94,5 @@ template <typename Port>
 HandOver handOverOf(Port *, Stream *, Choice<0>) {
   return HandOver::Unknown;
 }
-
-/// @endcond
 
 }  // namespace sbus

@@ -6,12 +6,9 @@
 #include <stdint.h>
 
 #include "../sbus/Barrier.h"
-#include "Choice.h"
 #include "Port.h"
 
 namespace sbus {
-
-/// @cond  Not for sketches.
 
 #if defined(SERIAL_SBUS)  // STM32L0
 
@@ -179,7 +176,5 @@ struct ListeningPort : Port, Listener {
   template <typename Class>
   ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), Listener(port) {}
 };
-
-/// @endcond
 
 }  // namespace sbus

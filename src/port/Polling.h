@@ -4,8 +4,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // loop() polls, or the port calls back (Listener.h). PolledByTimer does by a timer instead (Ticker.h), and has the same
 // members.
 struct PolledByLoop {
@@ -27,7 +25,5 @@ struct PolledByLoop {
     return true;
   }
 };
-
-/// @endcond
 
 }  // namespace sbus

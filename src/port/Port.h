@@ -11,8 +11,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // A serial port of any class.
 class Port : private CoreKind::Pins {
  public:
@@ -182,7 +180,5 @@ class Port : private CoreKind::Pins {
   uint16_t _half;
   const uint8_t _idleCharacters;
 };
-
-/// @endcond
 
 }  // namespace sbus

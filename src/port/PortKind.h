@@ -5,12 +5,9 @@
 #include <Arduino.h>
 
 #include "Buffer.h"
-#include "Choice.h"
 #include "Format.h"
 
 namespace sbus {
-
-/// @cond  Not for sketches.
 
 // ---- Pins
 
@@ -188,7 +185,5 @@ using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>
 
 // The kind of the core's own ports.
 using CoreKind = KindOf<HardwareSerial>;
-
-/// @endcond
 
 }  // namespace sbus

@@ -12,8 +12,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // Does nothing: the sensor is polled from loop(). The timers of the cores inherit what they lack.
 class NoSlotTimer {
  public:
@@ -86,8 +84,6 @@ class FlagLock {
   static volatile bool isLocked;  // defined by the timer that uses it
 };
 
-/// @endcond
-
 }  // namespace sbus
 
 #if defined(SERIAL_SBUS) && defined(TIM7)
@@ -103,8 +99,6 @@ class FlagLock {
 #elif defined(SBUS_TEENSY4)
 
 namespace sbus {
-
-/// @cond  Not for sketches.
 
 // No timer, but a counter that runs on while interrupts are off. micros() stops 1 ms after the newest interrupt of its
 // own, and goes on from there (cores 7f107ee, teensy4/delay.c:118).
@@ -124,19 +118,13 @@ class SlotTimer : public NoSlotTimer {
   };
 };
 
-/// @endcond
-
 }  // namespace sbus
 
 #else
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 using SlotTimer = NoSlotTimer;
-
-/// @endcond
 
 }  // namespace sbus
 

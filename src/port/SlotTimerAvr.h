@@ -9,8 +9,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // There is only one: a second sensor is polled from loop().
 class SlotTimer : public NoSlotTimer {
  public:
@@ -28,7 +26,5 @@ class SlotTimer : public NoSlotTimer {
  private:
   static bool _isLate;
 };
-
-/// @endcond
 
 }  // namespace sbus

@@ -14,8 +14,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // There is only one: a second sensor does not answer.
 class SlotTimer : public NoSlotTimer {
  public:
@@ -78,7 +76,5 @@ class SlotTimer : public NoSlotTimer {
   static uint32_t _looked;
   static FifoWatch _watch;
 };
-
-/// @endcond
 
 }  // namespace sbus

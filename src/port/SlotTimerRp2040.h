@@ -10,8 +10,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // There is only one: a second sensor is polled from loop(). Its interrupt runs on the core that has called begin().
 class SlotTimer : public NoSlotTimer {
  public:
@@ -42,7 +40,5 @@ class SlotTimer : public NoSlotTimer {
   static void wait(uint32_t us) { busy_wait_us_32(us); }
   static bool send(const uint8_t *characters, size_t size);
 };
-
-/// @endcond
 
 }  // namespace sbus

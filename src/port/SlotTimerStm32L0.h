@@ -7,8 +7,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // There is only one: a second sensor is polled from loop().
 class SlotTimer : public NoSlotTimer {
  public:
@@ -23,7 +21,5 @@ class SlotTimer : public NoSlotTimer {
   static bool isQuiet(Port &, int);
   static bool send(const uint8_t *characters, size_t size);
 };
-
-/// @endcond
 
 }  // namespace sbus

@@ -10,8 +10,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // The defaults of each core's Ticker.
 class AnyTicker {
  public:
@@ -28,8 +26,6 @@ class AnyTicker {
   static bool canRead(Port &) { return true; }
 };
 
-/// @endcond
-
 }  // namespace sbus
 
 // With FreeRTOS loop() of an RP2040 is a task that may change its core.
@@ -43,11 +39,9 @@ class AnyTicker {
 #define SBUS_TICKER_ESP32  // from 2.0 on
 #include "TickerEsp32.h"
 #elif defined(CORE_TEENSY) && !defined(__AVR__)
-#define SBUS_TICKER_TEENSY
-#include "TickerTeensy.h"
+#define SBUS_TICKER_TEENSY  // a Teensy 3, LC or 4: an IntervalTimer, at the lowest priority: other interrupts come first
 #elif defined(ARDUINO_ARCH_SAMD)
-#define SBUS_TICKER_SAMD
-#include "TickerSamd.h"
+#define SBUS_TICKER_SAMD  // the core's tick of a millisecond, SysTick, asks for PendSV, which polls: no timer is taken
 #endif
 
 #if defined(SBUS_TICKER_AVR) || defined(SBUS_TICKER_RP2040) || defined(SBUS_TICKER_ESP32) || \
@@ -56,7 +50,13 @@ class AnyTicker {
 
 namespace sbus {
 
-/// @cond  Not for sketches.
+#if defined(SBUS_TICKER_TEENSY) || defined(SBUS_TICKER_SAMD)
+class Ticker : public AnyTicker {
+ public:
+  static bool start();
+  static void stop();
+};
+#endif
 
 // A decoder that is polled each millisecond while loop() does other things.
 class PolledByTimer {
@@ -144,8 +144,6 @@ class PolledByTimer {
   volatile bool _isLocked = false;
   volatile bool _wasDue = false;
 };
-
-/// @endcond
 
 }  // namespace sbus
 

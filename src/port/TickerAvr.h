@@ -7,8 +7,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 class Ticker : public AnyTicker {
  public:
   // An interrupt could come between the two bytes of a pointer.
@@ -26,7 +24,5 @@ class Ticker : public AnyTicker {
   static bool start();
   static void stop();
 };
-
-/// @endcond
 
 }  // namespace sbus

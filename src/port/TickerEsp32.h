@@ -9,8 +9,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 class Ticker : public AnyTicker {
  public:
   // The task is on another core than loop(): loop() waits for it. The task, which others also need, does not wait for
@@ -40,7 +38,5 @@ class Ticker : public AnyTicker {
  private:
   static SemaphoreHandle_t _mutex;
 };
-
-/// @endcond
 
 }  // namespace sbus

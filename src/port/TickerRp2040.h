@@ -7,8 +7,6 @@
 
 namespace sbus {
 
-/// @cond  Not for sketches.
-
 // Its interrupt runs on the core that has called begin() first; decoders of the other core are not polled.
 class Ticker : public AnyTicker {
  public:
@@ -22,7 +20,5 @@ class Ticker : public AnyTicker {
   // would seem to be silent.
   static bool canRead(Port &port) { return port.available() != 0 || port.room() != 0; }
 };
-
-/// @endcond
 
 }  // namespace sbus
