@@ -51,9 +51,9 @@ constexpr bool opensBothWays(Port &) {
 /// DecodeSBus24 decodes FrSky's 24 channels, DecodeSBus32 also Futaba's CH17..CH32. Call all methods from setup(),
 /// loop() or serialEventN(). (A Grasshopper's core does not call serialEventN(), because no bytes wait there.)
 ///
-/// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): the sketch need not call a
-/// method in time, but the object must live until end(). DecodeSBusBackground does the same on other boards:
-/// extras/docs/interrupts.md.
+/// On a Grasshopper (STM32L0) the serial driver calls the decoder back at interrupt level whenever bytes arrive: the
+/// sketch need not call a method in time, but the object must live until end(). DecodeSBusBackground does the same on
+/// other boards: extras/docs/interrupts.md.
 template <typename Format, typename Events = sbus::NoEvents, typename Polling = sbus::PolledByLoop>
 class DecodeSBusOf : protected Polling {
  public:
@@ -131,18 +131,18 @@ class DecodeSBusOf : protected Polling {
     return fill(frame);
   }
 
-  /// Reads the bytes that wait on the port, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
+  /// Reads the port's pending bytes, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
   /// ms at 200000 baud): on a line without gaps, a core's buffer of 64 bytes is full after 7.7 ms, and then loses
   /// bytes. On a Grasshopper the sketch need not call it, unless it has set the port's onReceive() itself.
   ///
-  /// Call it also when nothing waits: only an empty call proves that the line was silent. A sketch that calls it only
-  /// when bytes wait (serialEvent1()) loses a frame each time its loop() is late by 2 ms.
+  /// Call it even when no bytes are pending: only a call that finds nothing proves that the line was idle. A sketch
+  /// that calls it only when bytes are pending (serialEvent1()) loses a frame each time its loop() is late by 2 ms.
   ///
   /// While interrupts are off, bytes get lost, and parts of two frames may be joined, above all on an AVR
   /// (extras/docs/boards.md).
   ///
-  /// A frame is complete at the first call after its last byte. The very first frame, the first frame of another line
-  /// variant, and a frame after discarded bytes or 50 ms of silence may have to wait for the next frame, or for 3 ms of
+  /// A frame is delivered by the first call after its last byte. The very first frame, the first frame of another line
+  /// variant, and a frame after discarded bytes or 50 ms of silence may be held until the next frame, or 3 ms of
   /// silence.
   void parseSBusFrame() {
     const Lock lock(*this);
@@ -336,15 +336,15 @@ class DecodeSBusOf : protected Polling {
     }
   }
 
-  // Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. Asked for more,
-  // the STM32L0's core would write past the end of the buffer.
+  // Reads only what is pending when it is called: later bytes may follow a loss. Asked for more than available(), the
+  // STM32L0's core would write past the end of the buffer.
   void poll(bool isPrompt) {
     uint32_t now = micros();
     const int found = _port.available();
     if (Events::wantsTimes()) {
       _finder.events().asked(found, micros());
     } else if (found > 0 && !isPrompt) {
-      now = micros();  // by then the bytes had come: an interrupt may have held up the question
+      now = micros();  // an interrupt may have delayed available()
     }
     if (found <= 0) {
       if (const uint8_t *const frame = _finder.idle(now)) {
@@ -382,8 +382,8 @@ class DecodeSBusOf : protected Polling {
       }
       return;
     }
-    // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,
-    // and those that have come may stand before the loss or after it.
+    // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
+    // bytes may stand before the loss or after it.
     if (_port.losesNewest() && bytes > _port.half()) {
       int more = _port.available();
       if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
@@ -419,7 +419,7 @@ class DecodeSBusOf : protected Polling {
     return _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
   }
 
-  // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
+  // First: the short offsets of Thumb instructions then reach its small members, 18 cycles a frame less.
   sbus::FrameFinderOf<Format, Events> _finder;
   sbus::ListeningPort _port;
   sbus::ClockedLink _link;

@@ -12,7 +12,7 @@
 ///     sbus::ReceiverVoltage voltage;
 ///     if (dSBus.readSensor(0, voltage)) { Serial.println(voltage.decivolts); }
 ///
-/// A slot does not say which sensor fills it: read it as the type that the radio has for this slot. There is no
+/// Slots carry no sensor type: read a slot as the type that the radio has for it. There is no
 /// checksum: if a wrong value would do harm, trust a value only once it has come twice (`trust.times` of readSensor()).
 template <typename Events, typename Polling = sbus::PolledByLoop>
 class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events, Polling> {

@@ -66,7 +66,7 @@ void SBus2Sensor::parseSBusFrame() {
   }
 }
 
-// While interrupts are off micros() may stand still: then no time from before is right.
+// While interrupts are off micros() may stand still: timestamps taken before are then invalid.
 void SBus2Sensor::checkClock(bool isLate) {
   if (isLate) {
     _finder.events().skip();
@@ -92,7 +92,7 @@ void SBus2Sensor::answerWithin(int32_t wait) {
 
 __attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
   sbus::Answers &answers = _finder.events();
-  const bool wasFresh = _isFresh;  // the call before: two that are equally late would agree
+  const bool wasFresh = _isFresh;  // the callback before: two that are equally late would look consistent
   _isFresh = isPrompt && sbus::SlotTimer::isFresh();
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
@@ -164,9 +164,9 @@ int32_t SBus2Sensor::untilDue() const {
   return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);
 }
 
-// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. It looks there twice
-// instead, so far apart that a frame's character comes in between, and so close to the slot that the one before has
-// ended. While a frame's end is expected it does not go back to loop(), or polls would be too far apart.
+// Sends first. Shortly before a slot it does not read the port, which may take an AVR 0.3 ms: it only counts the pending
+// bytes, twice. The two looks are so far apart that a frame's character would come in between, and so close to the slot
+// that the slot before has ended. While a frame's end is expected it does not return to loop(): polls would be too rare.
 void SBus2Sensor::tick() {
   constexpr int32_t LongestWait = 40;                   // us
   constexpr int32_t ReadingTime = 400;                  // us

@@ -38,7 +38,7 @@ constexpr bool CountsFifo = false;
 // The size that begin() asks for where a port lets it: 30 ms of a line without gaps.
 constexpr unsigned WantedBuffer = 256;
 
-// The bursts that an ESP32 is told to hand over, instead of 120 characters, which hide the gaps. With the two idle
+// The threshold of an ESP32's RX FIFO, characters: the default of 120 hides the gaps between frames. With the two idle
 // characters that it waits for, that is less than LineTiming.h assumes.
 constexpr uint8_t WantedBurst = 8;
 

@@ -1,6 +1,6 @@
 /// @file
-/// Says how long after its end the port hands a character over: this reveals the gaps, and tells an S.BUS2 sensor when
-/// a frame ended.
+/// How long after its end the port reports a character: needed to find gaps, and to tell an S.BUS2 sensor when a frame
+/// ended.
 #pragma once
 
 #include <Arduino.h>

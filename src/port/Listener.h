@@ -1,5 +1,5 @@
 /// @file
-/// Lets a port call back when it has handed bytes over, and keeps the call from disturbing what loop() does meanwhile.
+/// The port's receive callback, with a guard that keeps it from interrupting a poll in progress.
 #pragma once
 
 #include <Arduino.h>
@@ -28,7 +28,7 @@ inline stm32l0_uart_t *uartOf(Stream &) {
   return nullptr;
 }
 
-// The STM32L0's port calls back at PendSV level, above loop(): at once, and then not until bytes have been read
+// The STM32L0's port calls back at PendSV level, which interrupts loop(): at once, and then not until bytes have been read
 // (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses all
 // later ones until bytes are read: any method that finds the newest frame old reads them.
 class Listener {
@@ -167,7 +167,7 @@ class Listener {
 
 #endif
 
-// A port that calls back, where it can. (A base class without members takes no byte; as a member it would.)
+// A port and its receive callback, on cores that have one. (A base class without members takes no byte; as a member it would.)
 struct ListeningPort : Port, Listener {
   // Remembers `port`.
   template <typename Class>

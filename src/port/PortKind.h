@@ -11,7 +11,7 @@ namespace sbus {
 
 // ---- Pins
 
-// For a port that keeps its pins when it is opened and closed: nothing is passed on, which saves 4 bytes of flash.
+// For a port that keeps its pins when it is opened and closed: open() needs none (4 bytes of flash less).
 struct KeptPins {
   static constexpr bool AreGiven = false;
   template <typename Port>

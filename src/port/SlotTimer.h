@@ -28,7 +28,7 @@ class NoSlotTimer {
   // answers there.
   using Apart = Lock;
 
-  // Exists from a look at the clock until the start bit, on cores where other interrupts could come in between.
+  // Held from reading the clock until the start bit goes out, on cores where other interrupts could come in between.
   struct Alone {
     Alone() {}
     // Returns when that is: `planned`, or later.
@@ -43,7 +43,7 @@ class NoSlotTimer {
   static void at(uint32_t) {}
   // Waits, in loop() or in due().
   static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
-  // Returns true if a call of the port that has found half of its ring came within a character's time.
+  // Returns true if the last callback for half of the ring ran within a character's time.
   static bool isFresh() { return false; }
   // Returns how many characters have come that were not read.
   static int waiting(Port &port) { return port.available(); }

@@ -11,8 +11,8 @@ namespace sbus {
 
 class Ticker : public AnyTicker {
  public:
-  // The task is on another core than loop(): loop() waits for it. The task, which others also need, does not wait for
-  // loop(): it leaves a note.
+  // The task is on another core than loop(): loop() waits for it. The task, which others also need, never blocks on
+  // loop(): it sets wasDue instead.
   class Change {
    public:
     explicit Change(TickType_t most = portMAX_DELAY)

@@ -42,7 +42,7 @@ class Acquisition {
       _doubts = 0;
       _stretched = static_cast<uint8_t>(_stretched - (_stretched != 0));
     } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {
-      // These may be the end of a frame of the other size that lost characters, after a stray character.
+      // Possibly the tail of a damaged frame of the other size, after a stray character.
       _doubts = _doubts == 0 ? 1 : _doubts;
     } else if (_doubts > 0) {
       _doubts--;

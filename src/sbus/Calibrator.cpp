@@ -14,7 +14,7 @@ constexpr int16_t PushPart = 4;
 constexpr uint16_t MiddleMin = 700;
 constexpr uint16_t MiddleMax = 1350;
 
-constexpr uint8_t WrongFrame = 8;                                      // this many right frames make up for a wrong one
+constexpr uint8_t WrongFrame = 8;                                      // good frames that cancel one bad frame
 constexpr uint8_t HeldMost = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong frames at the end do no harm
 
 constexpr uint16_t smaller(uint16_t a, uint16_t b) {

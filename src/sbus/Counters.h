@@ -15,10 +15,10 @@ struct Counters {
   uint32_t lostFrames;      ///< frames delivered with the lost-frame flag
   uint32_t failsafeFrames;  ///< frames delivered with the failsafe flag
 
-  /// 25 bytes from a 0F or 2F on without an end byte: a byte is missing, or the 0F or 2F was no header
+  /// a header, 0F or 2F, but no end byte 24 bytes later: a byte is missing, or it was no header
   uint32_t rejectedByEnd;
-  uint32_t rejectedByFlags;   ///< 25 bytes from a 0F or 2F on with unused bits of the flags set
-  uint32_t rejectedByLength;  ///< 25 bytes from a 0F or 2F on, with further bytes or a gap inside
+  uint32_t rejectedByFlags;   ///< a header and an end byte, but unused bits of the flags are set
+  uint32_t rejectedByLength;  ///< the form of a frame, but with further bytes or a gap inside
 
   uint32_t discardedBytes;   ///< bytes that belong to no frame: of impaired frames, noise, telemetry
   uint32_t resyncs;          ///< how often frames were found again after some had been missed

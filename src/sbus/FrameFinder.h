@@ -477,7 +477,7 @@ class FrameFinderOf : private Events {
   uint8_t _rejected;   // headers rejected in this poll
   uint8_t _unread;     // bytes that waited at the newest poll, and were not read; 0: none
   uint16_t _found;     // bytes that this poll has found
-  bool _owed;          // the port has lost bytes after those of this poll
+  bool _owed;          // bytes were lost after those that this poll found
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
   Acquisition<Format> _acquisition;
   LineTiming _timing;

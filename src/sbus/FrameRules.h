@@ -150,9 +150,8 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
   return innerHeader(c.bytes, Format::Size, variant);
 }
 
-/// Returns true if a gap after it would still prove that it is aligned. A gap proves nothing if the part before `inner`
-/// may be the rest of one frame, and the part from `inner` on a frame that lost as many characters: then the first part
-/// is short, and more characters come before it than noise has.
+/// Returns true if a gap after it would still prove that it is aligned. It would not after the short rest of one frame
+/// and a frame from `inner` on that lost as many characters; more characters than noise has come before such a rest.
 template <typename Format>
 SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
   return c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);

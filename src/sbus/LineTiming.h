@@ -7,13 +7,13 @@
 
 namespace sbus {
 
-/// The slowest baud rate: a character lasts 255 us, the longest that LineTiming can count. S.Bus is faster.
+/// The slowest baud rate: a character lasts 255 us, the longest time that fits a uint8_t. S.Bus is faster.
 constexpr unsigned long SlowestBaud = 47059;
 
 /// The longest silence, in characters, that a port waits for before it hands over less than a burst: the RP2040's.
 constexpr uint8_t MostIdleCharacters = 4;
 
-/// What the time of a poll says about the line before the bytes that it found.
+/// What the timestamp of a poll says about the idle time before its bytes.
 enum class Silence : uint8_t {
   Unknown,  ///< perhaps a gap
   Likely,   ///< a gap, unless loop() was blocked

@@ -7,7 +7,7 @@ namespace {
 constexpr uint16_t RateUnit = 256;  // units of _rate in one frame a second
 constexpr uint8_t Decay = 6;        // units in 250 ms: 0.1 frames a second, each second
 
-// Most frames with one of the flags have both: so the counts are not added.
+// Most frames with one of the flags have both: so take the larger count, not the sum.
 uint32_t badOf(uint32_t lost, uint32_t failsafe) {
   return lost > failsafe ? lost : failsafe;
 }

@@ -19,7 +19,7 @@ constexpr uint8_t SlotsOfGroup = 8;   ///< after one frame
 constexpr uint8_t SlotSize = 3;       ///< characters: ID, data0, data1
 constexpr uint8_t GroupSizeMax = 33;  ///< characters between two frames: eight slots, and a break before and after each
 
-/// The data of a slot. A slot does not say which sensor fills it: the user knows.
+/// The data of a slot. Slots carry no sensor type: the user has to know it.
 struct SlotData {
   uint8_t data0;  ///< sent first
   uint8_t data1;  ///< sent second

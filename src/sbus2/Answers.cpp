@@ -105,7 +105,7 @@ uint32_t Answers::steady(const uint32_t &counter) {
   return read;
 }
 
-// Once RX has heard TX, an answer that does not come back was destroyed on the line.
+// Once RX has heard our own echo, a missing echo means a collision.
 bool Answers::isEchoWrong(bool isWrong) {
   uint8_t back = 0;
   for (uint8_t i = 0; i < SlotsOfGroup; i++) {

@@ -116,8 +116,8 @@ class Answers : public Telemetry {
   uint8_t _slack = 0;               // us: how late a slot may start
   uint8_t _at = 0;                  // the next planned slot, from _group
   SlotData _planned[SlotsOfGroup];  // of the moment of the plan
-  uint32_t _end = 0;                // us: when the newest frame ended,
-  uint16_t _spread = Unsure;        // give or take
+  uint32_t _end = 0;                // us: estimated end of the newest frame
+  uint16_t _spread = Unsure;        // us: uncertainty of _end
   uint16_t _found = 0;
   uint32_t _by = 0;
   bool _hasEcho = false;  // RX has heard TX

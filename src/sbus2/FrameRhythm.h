@@ -1,5 +1,5 @@
 /// @file
-/// How soon the next frame may begin: a sensor's answers must not collide with it.
+/// The earliest start of the next frame, with which a sensor's answers must not collide.
 #pragma once
 
 #include <stdint.h>
