@@ -58,7 +58,7 @@ template <typename Format, typename Events = sbus::NoEvents, typename Polling = 
 class DecodeSBusOf : protected Polling {
  public:
   template <typename Other>
-  using PolledBy = DecodeSBusOf<Format, Events, Other>;  ///< the same decoder, polled in another way: DecodeSBusBackgroundOf
+  using PolledBy = DecodeSBusOf<Format, Events, Other>;  ///< the same, polled in another way: DecodeSBusBackgroundOf
   using ChannelArray = sbus::ChannelArray<uint16_t, Format::Channels>;  ///< an array or a pointer: 18 or 24 values
   using Frame = sbus::FrameValue<Format::Channels>;                     ///< an SBusFrame, or an SBusFrame24
 
@@ -277,7 +277,7 @@ class DecodeSBusOf : protected Polling {
       lostFrame = true;
       return;
     }
-    // If a frame is completed meanwhile, the next one may overwrite the frame that is being read: then read the new one.
+    // If a frame is completed meanwhile, the next one may overwrite the one that is being read: then read the new one.
     uint32_t number;
     do {
       number = _finder.counters().frames;
@@ -307,7 +307,7 @@ class DecodeSBusOf : protected Polling {
     _decoded = 0;
   }
 
-  // Lets the port call `method`. The first poll comes at once: a port that has bytes does not call before they are read.
+  // Lets the port call `method`. The first poll comes at once: a port with pending bytes does not call before that.
   template <typename Object>
   void startCallbacks(void (Object::*method)(), Object *object) {
     const bool callsBack = _port.start(_port.stream(), method, object);

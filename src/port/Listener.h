@@ -28,9 +28,9 @@ inline stm32l0_uart_t *uartOf(Stream &) {
   return nullptr;
 }
 
-// The STM32L0's port calls back at PendSV level, which interrupts loop(): at once, and then not until bytes have been read
-// (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses all
-// later ones until bytes are read: any method that finds the newest frame old reads them.
+// The STM32L0's port calls back at PendSV level, which interrupts loop(): at once, and then not until bytes have been
+// read (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses
+// all later ones until bytes are read: any method that finds the newest frame old reads them.
 class Listener {
  public:
   static constexpr bool Calls = true;  // some ports call back
@@ -167,7 +167,7 @@ class Listener {
 
 #endif
 
-// A port and its receive callback, on cores that have one. (A base class without members takes no byte; as a member it would.)
+// A port and its receive callback, on cores that have one. (A base class without members takes no byte.)
 struct ListeningPort : Port, Listener {
   // Remembers `port`.
   template <typename Class>

@@ -39,7 +39,7 @@ class AnyTicker {
 #define SBUS_TICKER_ESP32  // from 2.0 on
 #include "TickerEsp32.h"
 #elif defined(CORE_TEENSY) && !defined(__AVR__)
-#define SBUS_TICKER_TEENSY  // a Teensy 3, LC or 4: an IntervalTimer, at the lowest priority: other interrupts come first
+#define SBUS_TICKER_TEENSY  // a Teensy 3, LC or 4: an IntervalTimer, at the lowest priority
 #elif defined(ARDUINO_ARCH_SAMD)
 #define SBUS_TICKER_SAMD  // the core's tick of a millisecond, SysTick, asks for PendSV, which polls: no timer is taken
 #endif
@@ -70,8 +70,8 @@ class PolledByTimer {
   // Polls all of them; the core's timer calls it. Returns false if it is to be called again soon.
   static bool tickAll();
 
-  // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a sketch
-  // that calls methods all the time would leave the port full.
+  // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a
+  // sketch that calls methods all the time would leave the port full.
 #if defined(SBUS_TICKER_ESP32)
   class Lock {
    public:

@@ -36,7 +36,7 @@ struct Calibration {
 /// The version of this layout. Erased EEPROM holds 0 or FFFF, which are never versions.
 constexpr uint16_t CalibrationVersion = 1;
 
-static_assert(sizeof(Calibration) == 4 + 8 * ProportionalCount, "it is stored as raw bytes: it must not contain padding");
+static_assert(sizeof(Calibration) == 4 + 8 * ProportionalCount, "it is stored as raw bytes: no padding is allowed");
 
 /// The state of a stored calibration.
 enum class StoredState : uint8_t {

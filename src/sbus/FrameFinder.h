@@ -197,7 +197,7 @@ class FrameFinderOf : private Events {
 
  private:
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
-  static constexpr int JudgedWorth = 4;            // one header that judge() rejects costs as much as four without an end
+  static constexpr int JudgedWorth = 4;            // a header that judge() rejects costs as much as four without an end
   static constexpr int FarOff = FrameSize24 + 1;   // characters: the most that _expectedAt counts
   static constexpr uint32_t Unsteady = 2500;       // us: a frame is late by less, parts of two by 4 ms or more
   static constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter comes from late polls
