@@ -2,13 +2,6 @@
 
 namespace {
 
-// The time from the end of the wait until the start bit, us: 820 cycles of an AVR (simavr), a few us on other boards.
-#if defined(__AVR__)
-constexpr uint32_t PollLead = 820 / (F_CPU / 1000000);
-#else
-constexpr uint32_t PollLead = 5;
-#endif
-
 // The time from when the timer elapses until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
 constexpr uint32_t TimerLead = 35;
 
@@ -78,7 +71,7 @@ void SBus2Sensor::answerWithin(int32_t wait) {
   if (!_finder.events().isPlanned()) {
     return;
   }
-  const uint32_t now = micros() + PollLead;
+  const uint32_t now = micros() + sbus::PollLead;
   const int32_t until = static_cast<int32_t>(_finder.events().due() - now);
   if (until > wait) {
     return;
@@ -161,7 +154,7 @@ void SBus2Sensor::due(void *sensor) {
 // Returns how many us from now the timer must call for the next slot: a little early, as answerWithin() waits for it.
 int32_t SBus2Sensor::untilDue() const {
   constexpr uint32_t Sooner = 20;
-  return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);
+  return static_cast<int32_t>(_finder.events().due() - micros() - sbus::PollLead - Sooner);
 }
 
 // Sends first. Shortly before a slot it does not read the port, which may take an AVR 0.3 ms: it only counts the

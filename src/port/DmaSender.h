@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "Format.h"  // brings the STM32L0's registers
+#include "Core.h"
 
 #if defined(SERIAL_SBUS) && defined(DMA1_Channel2)
 #define SBUS_DMA_SENDER

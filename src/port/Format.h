@@ -2,17 +2,9 @@
 /// The format of an S.Bus line as the core names it: 8 data bits, even parity, 2 stop bits, inverted.
 #pragma once
 
-#include <Arduino.h>
 #include <stdint.h>
 
-#if defined(SERIAL_SBUS)
-#include <stm32l0_uart.h>  // the option bits that SERIAL_SBUS consists of; Arduino.h does not include them
-#elif defined(SERIAL_HALF_DUPLEX) && defined(__IMXRT1062__)
-#define SBUS_TEENSY4
-// The port of a Teensy 4, by this name from November 2023 on (cores 70d3da9), when half duplex had just got a pull-down
-// for inverted lines instead of a pull-up (99d2922).
-class HardwareSerialIMXRT;
-#endif
+#include "Core.h"
 
 namespace sbus {
 

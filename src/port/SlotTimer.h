@@ -6,11 +6,18 @@
 #include <stdint.h>
 
 #include "../sbus/Barrier.h"
-#include "Format.h"  // brings the STM32L0's registers
+#include "Core.h"
 #include "HandOver.h"
 #include "Port.h"
 
 namespace sbus {
+
+// The time from the end of a wait until the start bit, us: 820 cycles of an AVR (simavr), a few us on other boards.
+#if defined(SBUS_AVR)
+constexpr uint32_t PollLead = 820 / (F_CPU / 1000000);
+#else
+constexpr uint32_t PollLead = 5;
+#endif
 
 // Does nothing: the sensor is polled from loop(). The timers of the cores inherit what they lack.
 class NoSlotTimer {
@@ -88,13 +95,11 @@ class FlagLock {
 
 #if defined(SERIAL_SBUS) && defined(TIM7)
 #include "SlotTimerStm32L0.h"
-#elif defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+#elif defined(SBUS_AVR) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
 #include "SlotTimerAvr.h"
-#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
-#define SBUS_SLOT_TIMER_RP2040  // arduino-pico from 4.0 on; with FreeRTOS loop() is a task that may change its core
+#elif defined(SBUS_RP2040)
 #include "SlotTimerRp2040.h"
-#elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)
-#define SBUS_SLOT_TIMER_ESP32  // from 2.0 on
+#elif defined(SBUS_ESP32)
 #include "SlotTimerEsp32.h"
 #elif defined(SBUS_TEENSY4)
 

@@ -1,6 +1,6 @@
 #include "SlotTimer.h"
 
-#if defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+#if defined(SBUS_AVR) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
 
 namespace sbus {
 

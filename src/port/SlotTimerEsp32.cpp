@@ -1,6 +1,6 @@
 #include "SlotTimer.h"
 
-#if defined(SBUS_SLOT_TIMER_ESP32)
+#if defined(SBUS_ESP32)
 
 #include <esp_attr.h>
 #include <hal/uart_ll.h>

@@ -1,6 +1,6 @@
 #include "SlotTimer.h"
 
-#if defined(SBUS_SLOT_TIMER_RP2040)
+#if defined(SBUS_RP2040)
 
 #include <hardware/irq.h>
 

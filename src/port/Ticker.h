@@ -28,29 +28,29 @@ class AnyTicker {
 
 }  // namespace sbus
 
-// With FreeRTOS loop() of an RP2040 is a task that may change its core.
-#if defined(__AVR__) && defined(TIMER0_COMPB_vect) && defined(TIMSK0)
-#define SBUS_TICKER_AVR
+#if defined(SBUS_AVR)
+#if defined(TIMER0_COMPB_vect) && defined(TIMSK0)
+#define SBUS_TICKER
 #include "TickerAvr.h"
-#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
-#define SBUS_TICKER_RP2040  // arduino-pico from 4.0 on
+#endif
+#elif defined(SBUS_RP2040)
+#define SBUS_TICKER
 #include "TickerRp2040.h"
-#elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)
-#define SBUS_TICKER_ESP32  // from 2.0 on
+#elif defined(SBUS_ESP32)
+#define SBUS_TICKER
 #include "TickerEsp32.h"
-#elif defined(CORE_TEENSY) && !defined(__AVR__)
-#define SBUS_TICKER_TEENSY  // a Teensy 3, LC or 4: an IntervalTimer, at the lowest priority
-#elif defined(ARDUINO_ARCH_SAMD)
-#define SBUS_TICKER_SAMD  // the core's tick of a millisecond, SysTick, asks for PendSV, which polls: no timer is taken
+#elif defined(SBUS_TEENSY) || defined(SBUS_SAMD)
+#define SBUS_TICKER
+#define SBUS_PLAIN_TICKER
 #endif
 
-#if defined(SBUS_TICKER_AVR) || defined(SBUS_TICKER_RP2040) || defined(SBUS_TICKER_ESP32) || \
-    defined(SBUS_TICKER_TEENSY) || defined(SBUS_TICKER_SAMD)
-#define SBUS_TICKER
+#if defined(SBUS_TICKER)
 
 namespace sbus {
 
-#if defined(SBUS_TICKER_TEENSY) || defined(SBUS_TICKER_SAMD)
+#if defined(SBUS_PLAIN_TICKER)
+// A Teensy: an IntervalTimer, at the lowest priority. A SAMD: the core's tick of a millisecond, SysTick, asks for
+// PendSV, which polls: no timer is taken.
 class Ticker : public AnyTicker {
  public:
   static bool start();
@@ -72,7 +72,7 @@ class PolledByTimer {
 
   // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a
   // sketch that calls methods all the time would leave the port full.
-#if defined(SBUS_TICKER_ESP32)
+#if defined(SBUS_ESP32)
   class Lock {
    public:
     explicit Lock(const PolledByTimer &) {}

@@ -1,6 +1,6 @@
 #include "Ticker.h"
 
-#if defined(SBUS_TICKER_AVR)
+#if defined(SBUS_TICKER) && defined(SBUS_AVR)
 
 namespace sbus {
 

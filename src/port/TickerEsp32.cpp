@@ -1,6 +1,6 @@
 #include "Ticker.h"
 
-#if defined(SBUS_TICKER_ESP32)
+#if defined(SBUS_ESP32)
 
 #include <esp_timer.h>
 

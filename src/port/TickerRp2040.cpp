@@ -1,6 +1,6 @@
 #include "Ticker.h"
 
-#if defined(SBUS_TICKER_RP2040)
+#if defined(SBUS_RP2040)
 
 #include <hardware/irq.h>
 #include <hardware/timer.h>

@@ -1,6 +1,6 @@
 #include "Ticker.h"
 
-#if defined(SBUS_TICKER_SAMD)
+#if defined(SBUS_SAMD)
 
 namespace sbus {
 

@@ -1,6 +1,6 @@
 #include "Ticker.h"
 
-#if defined(SBUS_TICKER_TEENSY)
+#if defined(SBUS_TEENSY)
 
 #include <IntervalTimer.h>
 
@@ -18,7 +18,7 @@ bool isRunning = false;
 // (teensy4/IntervalTimer.h:84). If the sketch has one above the UART's, the UART's interrupt may be the one that this
 // one interrupts; both read the FIFO (HardwareSerial.cpp:551, 622). So it only interrupts loop().
 bool isInPort() {
-#if defined(__IMXRT1062__)
+#if defined(SBUS_IMXRT)
   constexpr uint32_t ReturnsToBase = 1 << 11;  // RETTOBASE: no other interrupt is active
   return (SCB_ICSR & ReturnsToBase) == 0;
 #else
