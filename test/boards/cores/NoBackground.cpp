@@ -3,7 +3,7 @@
 // 0 knows no timer of this core.*extras/docs/interrupts.md
 // 1 An interrupt cannot read this port.*extras/docs/interrupts.md
 // 2 would delay the answers of an SBus2Sensor.*extras/docs/interrupts.md
-// 3 DecodeSBusBackground.* to .*DecodeSBus
+// 3 of type .DecodeSBus&.* from expression of type .DecodeSBusBackground
 #include <DecodeSBusBackground.h>
 
 #if CASE == 1

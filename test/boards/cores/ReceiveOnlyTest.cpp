@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <stm32l0_dma.h>
 
-#include "DecodeSBus.cpp"
+#include <DecodeSBus.h>
 
 Uart Serial1;
 

@@ -61,7 +61,7 @@ struct Unheld : sim::Reader {
 #if defined(ESP32)
     world.crashes += world.locked == 0;
 #else
-    world.crashes += sbus::SlotTimer::isHeld();
+    world.crashes += sbus::SlotTimer::isLocked();
 #endif
   }
 };
