@@ -120,7 +120,7 @@ forget() {
 }
 trap forget EXIT
 mkdir -p "$copy/build" "$copy/bin" "$BUILD/sanitized/sketches" "$BUILD/tool" "$BUILD/scope"
-tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$copy"
+tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$copy"
 # What golden.sh, tool/run.sh and scope/run.sh have built, with their flags.
 ln -s "$BUILD/sanitized/sketches" "$copy/build/host"
 ln -s "$BUILD/tool" "$copy/build/sbus"
@@ -154,7 +154,9 @@ check '^sbus [0-9]+\.[0-9]+\.[0-9]+ \(DecodeSBus\)$' 'make install PREFIX=/usr/l
   [ -s share/fish/vendor_completions.d/sbus.fish ] && [ -s lib/udev/rules.d/60-sbus-uinput.rules ] && bin/sbus --version' \
   'make install PREFIX=/usr/local'
 check "^removed '.*/a place/usr/local/bin/sbus'$" '[ -n "$(find "a place" -type f)" ] &&
-  make uninstall PREFIX=/usr/local DESTDIR="$PWD/a place" && [ -z "$(find "a place" -type f)" ]' 'make uninstall PREFIX=/usr/local'
+  make uninstall PREFIX=/usr/local DESTDIR="$PWD/a place" && [ -z "$(find "a place" -type f)" ] &&
+  [ "$(cd "a place/usr/local" && echo * share/*)" = "bin lib share share/man" ] && make install PREFIX="$PWD/a place/own" &&
+  make uninstall PREFIX="$PWD/a place/own" && [ "$(ls "a place")" = usr ]' 'make uninstall PREFIX=/usr/local'
 check '<title>.*S.Bus' '
   then='"'"'node -e "fetch(process.argv[1]).then((answer) => answer.text()).then(console.log)" "$(grep -o "http://.*/" said)"'"'"'
   until_says http:// make scope SCOPE_PORT=0' 'make scope' 'make scope SCOPE_PORT=8000'
@@ -201,7 +203,7 @@ check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
 check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z' \
   'make release VERSION=x.y.z URL=https://github.com/NAME/DecodeSBus' "make release VERSION=x.y.z MAINTAINER='NAME <ADDRESS>'"
 check '^ok dist: SHA256SUMS has every file' 'log dist test/dist.sh' 'make dist'
-check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist test/dist.sh' 'sudo tar xzf sbus-*.tar.gz -C /usr/local'
+check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist test/dist.sh' 'sudo tar xzf sbus-*-linux-$(uname -m).tar.gz -C /usr/local'
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&

@@ -80,16 +80,16 @@ same() {
     says ${3:+"$3"} "$sbus" >"$work/$1.says" && diff "$work/says" "$work/$1.says"
   verdict $? "$1: it needs no library, and says what the package's sbus says"
 }
-same "sbus-$version-linux-$native" .
+same "sbus-$version-linux-$(uname -m)" .
 emulator=$(command -v qemu-aarch64-static qemu-aarch64 | sed 1q)
 if [ "$native" = arm64 ]; then
   :
-elif [ ! -e "$DIST/sbus-$version-linux-arm64.tar.gz" ]; then
+elif [ ! -e "$DIST/sbus-$version-linux-aarch64.tar.gz" ]; then
   skipped "sbus for arm64: there is no aarch64-linux-gnu-g++ here"
 elif [ -z "$emulator" ]; then
   skipped "sbus for arm64 is not run: there is no qemu-aarch64 here"
 else
-  same "sbus-$version-linux-arm64" AArch64 "$emulator"
+  same "sbus-$version-linux-aarch64" AArch64 "$emulator"
 fi
 
 # ---- the page

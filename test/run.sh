@@ -43,6 +43,7 @@ all  setup            what is said where packages are missing; a folder with a b
 both uses             every public function is used by a sketch; keywords
 all  captures         recordings of real receivers
 all  figures          the figures of measured.md
+all  workflows        the steps of the workflows, as GitHub runs them
 all  commands         the commands of the pages'
 
 # build VARIANT TARGETS...
@@ -122,6 +123,7 @@ newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
 step_figures() { after lines-5000 bench && ../extras/docs/figures.sh check; }
+step_workflows() { after scope package dist && ./workflows.py; }
 step_commands() { after scope tool package dist figures && ./commands.sh; }
 
 # Waits until these steps are done, which stand before this one in `steps`: it takes what they have built, or their logs.
@@ -206,7 +208,7 @@ fi
 COUNT=$(echo "$chosen" | wc -l)
 export COUNT CHOSEN="$chosen"
 case $tier in
-  test) time='about 30 s; the first time 2 minutes more, to build them' ;;
+  test) time="about 30 s; the first time $((180 / $(nproc) + 1)) s more, to build them" ;;
   *) time='5 to 10 minutes; the first time 20 more, to build them' ;;
 esac
 last=$(cat "$BUILD/took-$tier" 2>/dev/null)
