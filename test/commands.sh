@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs every command that README.md, CONTRIBUTING.md and `make help` name, and says "ok ..." or "FAILED ...". A command that
-# no line below runs is a failure; so is one below that no page names. Placeholders have a number or a name here, and what
-# takes long is made short.
+# Runs every command that README.md, CONTRIBUTING.md, maintaining.md, ftdi.md ("Record a receiver") and `make help` name, and
+# says "ok ..." or "FAILED ...". A command that no line below runs is a failure; so is one below that no page names.
+# Placeholders have a number or a name here, and what takes long is made short.
 # The commands run in a copy of the repository, on what other steps have built there: run.sh calls this last.
 # BUILD: an absolute folder for what is built.
 set -u
@@ -37,7 +37,7 @@ named() {
       for (i = 2; i < pieces; i += 2) {
         if (piece[i] ~ /^([A-Z_]+=(\047[^\047]*\047|[^ ]*) )*(make|(sbus|sudo|build\/[^ ]*) .+)( |$)/) emit(piece[i])
       }
-    }' README.md CONTRIBUTING.md help
+    }' README.md CONTRIBUTING.md extras/docs/maintaining.md recording help
 }
 
 # check REGEX SHELL COMMAND...   SHELL is what the pages' COMMANDs are here. It ends well, and a line of its output is like
@@ -102,7 +102,7 @@ small() {
   find test/recordings/*.txt ! -name paper.txt -delete
   find test/golden/*.csv ! -name DecodeSBus.csv ! -name DecodeSBus-paper.csv ! -name README.csv ! -name receivers.csv -delete
   find examples -mindepth 1 -maxdepth 1 ! -name DecodeSBus -exec rm -r {} +
-  find extras/docs/*.md ! -name receivers.md ! -name receiver.md ! -name measured.md -delete
+  find extras/docs/*.md ! -name receivers.md ! -name receiver.md ! -name measured.md ! -name maintaining.md -delete
   sed -i '/^DecodeSBus /!d' test/golden/LINES
 }
 
@@ -143,7 +143,8 @@ END
 chmod +x "$copy/bin/make"
 export PATH="$copy/bin:$copy/build/sbus:$PATH"
 cd "$copy" || exit 1
-make -s help >help
+check '^make demo ' 'make -s help | tee help' 'make help'
+awk '/^## / { inside = /Record a receiver/ } inside' extras/docs/ftdi.md >recording
 
 check decodeSBusFrame 'make docs && cat build/docs/html/classDecodeSBusOf.html ||
   [ "$(doxygen --version)" = 1.9.4 ] || echo "skipped: the warnings of this Doxygen are others"' 'make docs'
@@ -170,12 +171,11 @@ check '^plotted ([0-9]+,){5}[0-9]+$' '
 check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo SOURCE=\$adapter" 'make demo SOURCE=/dev/ttyUSB0'
 check 'simulated FrSky receiver with 24 channels' "until_says 'receiver with 24 channels' make demo SOURCE=sim:24" 'make demo SOURCE=sim:24'
 check '^PASS: [1-9][0-9]* frames sent' 'until_says PASS make demo SKETCH=examples/Loopback' 'make demo SKETCH=examples/Loopback'
-check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" \
-  'make demo SKETCH=examples/Calibrate' 'make demo SKETCH=examples/NAME'
-check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' \
-  'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
+check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" 'make demo SKETCH=examples/NAME'
+check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
 
-check '^/dev/|no serial port' 'sbus ports'
+check '^Makefile$' 'git -C "$root" rev-parse -q --verify HEAD >/dev/null || echo "skipped: this is no clone"
+  git clone -q "$root" DecodeSBus && cd DecodeSBus && ls' "git clone $(sed -n 's/^url=//p' library.properties) DecodeSBus && cd DecodeSBus"
 # There is no adapter here: the path is compared with the source of what `sbus ports` prints.
 check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/line/system/LowLatency.cpp' \
   'echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer'
@@ -207,7 +207,7 @@ check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist test/dist
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&
-  grep '^ok captures/paper.txt, loop() of 50 us' all" 'make test-all' 'make test-all CAPTURES=dir' 'make test-all CAPTURES=folder'
+  grep '^ok captures/paper.txt, loop() of 50 us' all" 'make test-all' 'make test-all CAPTURES=dir' 'make test-all CAPTURES=folder' "STEPS='tool|bench' make test-all"
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS=rules make test V=1 SEED=7 | tee rules && grep '^1 steps with seed 7' rules &&
   grep '^ok impairment/RULES: ' rules" 'make test' 'make test V=1' 'make test SEED=n'
 check '^9 passed, 0 failed$' 'make test ONLY=LinkTest'
@@ -221,5 +221,5 @@ sort -t "$(printf '\t')" -k 2 -u names | while IFS="$(printf '\t')" read -r wher
   grep -qxF -e "$command" tested || echo "FAILED commands: $where names \"$command\", which no test runs: add it to test/commands.sh"
 done
 while read -r command; do
-  cut -f2 names | grep -qxF -e "$command" || echo "FAILED commands: $command: no page names it: take it out of test/commands.sh"
+  cut -f2 names | grep -qxF -e "$command" || grep -qF -e "$command" "$root"/extras/docs/*.md || echo "FAILED commands: $command: no page names it: take it out of test/commands.sh"
 done <tested
