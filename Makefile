@@ -34,7 +34,7 @@ help:
 
 # A `make -j` of the user brings processes of its own. Two runs in this folder build one after the other.
 jobs = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$$(nproc))
-build = mkdir -p build && $(if $(shell command -v flock),flock build/lock) $(MAKE) --no-print-directory -s $(jobs)
+build = mkdir -p build && $(if $(shell command -v flock),flock build/making) $(MAKE) --no-print-directory -s $(jobs)
 
 SKETCH ?= examples/DecodeSBus
 sketch_name = $(notdir $(SKETCH:/=))
@@ -96,7 +96,7 @@ test:
 	@$(MAKE) --no-print-directory $(jobs) -C test
 
 test-all:
-	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory $(jobs) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:

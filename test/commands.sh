@@ -10,36 +10,6 @@ export BUILD="${BUILD:-$PWD/build/test}" STEP_LOGS="${STEP_LOGS:-$BUILD/steps}"
 unset MAKEFLAGS MAKELEVEL CAPTURES V STEPS SKETCH RECORDING PORT PTY SCOPE_PORT PREFIX DESTDIR FRAMES SEED ONLY FULL WITHOUT TRIES
 root=$PWD
 
-# Prints "PAGE:LINE<tab>COMMAND" of each line of a fenced block, each inline code that is a command, and each line of
-# `make help` (page "help"). Comments there name more: `make bench`, or FULL=1 and --baud 200000 of the line's command.
-named() {
-  awk '
-    function emit(command) { print FILENAME ":" FNR "\t" command }
-    function more(command, comment,    word) {
-      while (match(comment, /make (-C [a-z]+ )?[a-z][a-z-]+|[A-Z_]+=(\047[^\047]*\047|[^ ,;)]*)|--[a-z-]+( [0-9]+)?/)) {
-        word = substr(comment, RSTART, RLENGTH)
-        comment = substr(comment, RSTART + RLENGTH)
-        emit(word ~ /^make/ ? word : command " " word)
-      }
-    }
-    function line(text, separator,    at) {
-      at = match(text, separator) ? RSTART : length(text) + 1
-      emit(command = substr(text, 1, at - 1))
-      more(command, substr(text, at))
-    }
-    FILENAME == "help" && /^ / { more(command, $0) }
-    FILENAME == "help" { if (/^[^ ]/) line($0, "   *"); next }
-    /^```/ { fenced = !fenced; shell = !/^```(cpp|text)/; next }
-    fenced { if (shell && /[^ ]/) line($0, "  *#"); next }
-    {
-      pieces = split($0, piece, "`")
-      if (pieces > 0 && pieces % 2 == 0) emit("` without a second one on its line")
-      for (i = 2; i < pieces; i += 2) {
-        if (piece[i] ~ /^([A-Z_]+=(\047[^\047]*\047|[^ ]*) )*(make|(sbus|sudo|build\/[^ ]*) .+)( |$)/) emit(piece[i])
-      }
-    }' README.md CONTRIBUTING.md extras/docs/maintaining.md recording help
-}
-
 # check REGEX SHELL COMMAND...   SHELL is what the pages' COMMANDs are here. It ends well, and a line of its output is like
 # REGEX. (Without a COMMAND it is SHELL.)
 check() {
@@ -202,8 +172,8 @@ check '^(ok figures: make size|skipped figures: size, these compilers)' 'log fig
 check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
 check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z' \
   'make release VERSION=x.y.z URL=https://github.com/NAME/DecodeSBus' "make release VERSION=x.y.z MAINTAINER='NAME <ADDRESS>'"
-check '^ok dist: SHA256SUMS has every file' 'log dist test/dist.sh' 'make dist'
-check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist test/dist.sh' 'sudo tar xzf sbus-*-linux-$(uname -m).tar.gz -C /usr/local'
+check '^ok dist: SHA256SUMS has every file' 'log workflows test/workflows.py' 'make dist'
+check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log workflows test/workflows.py' 'sudo tar xzf sbus-*-linux-$(uname -m).tar.gz -C /usr/local'
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&
@@ -216,7 +186,8 @@ check 'golden/DecodeSBus.csv$' 'rm test/golden/DecodeSBus.csv; make -C test gold
 check '[, ]10 frames of each line' 'newlib && make figures FRAMES=10 TRIES=10 && cat extras/docs/measured.md' 'make figures'
 check '^rm -rf build' 'make clean && [ ! -e build ]' 'make clean'
 
-named >names
+"$root/test/pages.py" commands README.md CONTRIBUTING.md extras/docs/maintaining.md recording help >names ||
+  echo "FAILED commands: the pages cannot be read"
 sort -t "$(printf '\t')" -k 2 -u names | while IFS="$(printf '\t')" read -r where command; do
   grep -qxF -e "$command" tested || echo "FAILED commands: $where names \"$command\", which no test runs: add it to test/commands.sh"
 done

@@ -1,9 +1,9 @@
 #!/bin/sh
 # What `make dist` builds: each file is run, opened or unpacked. Says "ok ...", "FAILED ..." or "skipped ...".
-# BUILD: an absolute folder for what is built. DIST: what `make dist` has built; otherwise it is built here.
+# BUILD: an absolute folder for what is built. DIST: what `make dist` has built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-export BUILD="${BUILD:-$PWD/build/test}"
+export BUILD="${BUILD:-$PWD/build/test}" DIST="${DIST:-$PWD/dist}"
 work=$BUILD/dist-check
 version=$(sed -n 's/^version=//p' library.properties)
 
@@ -13,10 +13,6 @@ verdict() {  # STATUS WHAT
 skipped() { echo "skipped dist: $1"; }
 
 printf '\ndist: what a release offers\n'
-if [ -z "${DIST:-}" ]; then
-  DIST=$BUILD/dist-files
-  DIST="$DIST" sh extras/setup/dist.sh || { verdict 1 "it builds"; exit; }
-fi
 rm -rf "$work"
 mkdir -p "$work"
 (cd "$DIST" && sha256sum --check --strict --quiet SHA256SUMS) &&

@@ -66,32 +66,7 @@ library=$out/libraries/DecodeSBus
 idf_component.yml keywords.txt library.json library.properties src zephyr " ] &&
   [ "$(ls "$library/extras" | tr '\n' ' ')" = "cli docs host scope " ] && [ "$(ls "$library/extras/cli")" = README.md ]
 verdict $? "the ZIP is one folder, with what a library has"
-# Prints PAGE TARGET of each relative link, or PAGE#HEADING of each heading, as GitHub names it.
-links() {  # WHAT
-  (cd "$library" && find . -name '*.md' -exec awk -v what="$1" '
-    /^```/ { fenced = !fenced }
-    what == "headings" && !fenced && sub(/^#+ /, "") {
-      gsub(/[^A-Za-z0-9_ -]/, "")
-      gsub(/ /, "-")
-      print FILENAME "#" tolower($0)
-    }
-    what == "links" && !fenced {
-      while (match($0, /\]\([^) ]+\)/)) {
-        target = substr($0, RSTART + 2, RLENGTH - 3)
-        $0 = substr($0, RSTART + RLENGTH)
-        if (target !~ /^[a-z]+:/) print FILENAME, target
-      }
-    }' {} +)
-}
-links headings >"$out/headings"
-links links >"$out/links"
-dead=$(while read -r page target; do
-  file=$page
-  case $target in '#'*) ;; *) file=./$(cd "$library" && realpath -m --relative-to=. "${page%/*}/${target%%#*}") ;; esac
-  [ -e "$library/$file" ] || echo "$page: $target"
-  case $target in *'#'*) grep -qxF "$file#${target#*#}" "$out/headings" || echo "$page: $target" ;; esac
-done <"$out/links")
-[ "$(wc -l <"$out/links")" -gt 100 ] && [ -z "$dead" ] || { echo "$dead"; false; }
+dead=$(./test/pages.py dead "$library") && [ -z "$dead" ] || { echo "$dead"; false; }
 verdict $? "every relative link of the ZIP's pages leads to a file and a heading of the ZIP"
 # `pio pkg pack` adds the manifests, README and LICENSE to what library.json names.
 include=$(tr '\n' ' ' <library.json | sed -n 's/.*"include": \[\([^]]*\)\].*/\1/p' | tr -d '",')

@@ -1,10 +1,11 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Runs the steps of the workflows' Linux jobs as GitHub runs them, and prints "ok ..." or "FAILED ..." of each.
 
 A container begins without git, make and others, and its folder belongs to another user. actions/checkout uses git if the
 container has it; otherwise it unpacks an archive, which lacks what .gitattributes leaves out:
 https://github.com/actions/checkout/blob/v4/src/git-source-provider.ts. The folder `build` is that of the other steps, so that
-little is compiled; STEPS shortens `make test` and `make test-all`. Stand-ins: apt-get, curl, gh, pipx.
+little is compiled; STEPS shortens `make test` and `make test-all`. Stand-ins: apt-get, curl, gh, pipx. What dist.sh says of the
+files that a release offers is printed as well.
 BUILD: an absolute folder for what is built.
 """
 import os
@@ -105,8 +106,13 @@ class Job:
             run("git", "clone", "-q", REPOSITORY, self.tree / "clone")
             for file in (self.tree / "clone").iterdir():
                 file.rename(self.tree / file.name)
-        # Nothing is newer than what other steps have compiled.
-        run("find", self.tree, "-type", "f", "-exec", "touch", "-h", "-d", "2001-01-01", "{}", "+")
+        # What has not changed since it was compiled is not compiled again.
+        for folder, _, files in os.walk(self.tree):
+            for file in files:
+                here = pathlib.Path(folder, file)
+                there = ROOT / here.relative_to(self.tree)
+                if there.is_file() and not here.is_symlink():
+                    shutil.copystat(there, here)
         if not self.is_container:
             return
         if os.geteuid() == 0:
@@ -148,6 +154,7 @@ class Job:
             return True
         if "run" in step:
             verdict(True, f"{self.name}: {title}")
+            print("".join(re.findall("^(?:ok|skipped) dist: .*\n", self.log.read_text(errors="replace"), re.M)), end="", flush=True)
         return False
 
     def run(self, steps):
