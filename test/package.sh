@@ -66,7 +66,7 @@ library=$out/libraries/DecodeSBus
 idf_component.yml keywords.txt library.json library.properties src zephyr " ] &&
   [ "$(ls "$library/extras" | tr '\n' ' ')" = "cli docs host scope " ] && [ "$(ls "$library/extras/cli")" = README.md ]
 verdict $? "the ZIP is one folder, with what a library has"
-[ "$(wc -l <"$library/README.md")" -le 90 ] && [ "$(wc -l <"$library/CONTRIBUTING.md")" -le 60 ]
+[ "$(wc -l <README.md)" -le 90 ] && [ "$(wc -l <CONTRIBUTING.md)" -le 60 ]
 verdict $? "README.md has 90 lines at most, CONTRIBUTING.md 60"
 dead=$(./test/pages.py dead "$library") && [ -z "$dead" ] || { echo "$dead"; false; }
 verdict $? "every relative link of the ZIP's pages leads to a file and a heading of the ZIP"

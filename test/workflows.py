@@ -169,7 +169,7 @@ def check_release():
     verdict(created and all(f" dist/{name}" in created[0] for name in ("DecodeSBus-", "scope.html", "sbus_", "sbus-", "SHA256SUMS")),
             "the release has the ZIP, the page, sbus twice and SHA256SUMS")
     notes = (WORK / "calls.notes").read_text()
-    verdict(notes.startswith("#") and not re.search("^ |^[^-#\n].*\n[^-#\n]", notes, re.M), "its notes have no paragraph on more than one line")
+    verdict(notes.strip() and not re.search("^ |.\n[^-#\n]", notes, re.M), "its notes have no paragraph on more than one line")
     verdict("pipx run platformio pkg publish" in calls and "compote component upload --namespace somebody --name decodesbus" in calls,
             "the registries of PlatformIO and ESP-IDF get the library")
 
