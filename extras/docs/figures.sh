@@ -11,7 +11,7 @@ export BUILD="${BUILD:-$(cd ../.. && pwd)/build/test}"
 out=$BUILD/figures
 mkdir -p "$out"
 
-# Of the 190 rows of the impairment table, the page has the ordinary ones, and each with a hundred wrong frames or more.
+# Of the impairment table the page has the ordinary ones, and each with a hundred wrong frames or more.
 ordinary="clean|clean, short gaps|clean, S.BUS2 with telemetry|dropped 1/300|dropped 1/300, short gaps|dropped 1/50|bursts 1/500|\
 two bits flipped 1/300|noise in 1/10 of the gaps|joined midway|S.BUS2, dropped 1/300|R7003SB, dropped 1/300|\
 24 channels, dropped 1/300|2F frames, dropped 1/300|Fast S.Bus, bursts 1/500|loop of 20 ms|blocked 10 to 60 ms every 500 ms|\
