@@ -7,6 +7,8 @@ umask 022
 cd "$(dirname "$0")/../.."
 root=$PWD
 build=${BUILD:-$root/build}
+# The name that `make sbus` and `make scope` have for it: the files with what objects depend on have this name.
+for_make=${BUILD:-../../build}
 dist=${DIST:-$root/dist}
 work=$build/dist
 version=$(sed -n 's/^version=//p' library.properties)
@@ -81,9 +83,9 @@ END
 rm -rf "$work" "$dist"
 mkdir -p "$work" "$dist"
 cp "$zip" "$dist"
-run_make -C extras/scope BUILD="$build/scope"
+run_make -C extras/scope BUILD="$for_make/scope"
 cp "$build/scope/index.html" "$dist/scope.html"
-run_make -C extras/cli BUILD="$build/sbus" "$build/sbus/sbus" "$build/sbus/sbus-static"
+run_make -C extras/cli BUILD="$for_make/sbus" "$for_make/sbus/sbus" "$for_make/sbus/sbus-static"
 package_debian "$build/sbus/sbus"
 package_static "$build/sbus/sbus-static" strip "sbus-$version-linux-$(uname -m)"
 cross=aarch64-linux-gnu
