@@ -14,47 +14,27 @@ release:
 # the results are in build/ here.
 ifneq ($(words $(CURDIR)),1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
+# A sketch beside this folder is not in the copy.
+outside = $(if $(filter ..%,$(firstword $(SKETCH))),SKETCH="$$(realpath -m '$(SKETCH)')")
 $(work):
 	@copy=$$(sh extras/setup/copy.sh) && $(MAKE) --no-print-directory -C "$$copy" $@ $(call absolute,CAPTURES) \
-	  $(if $(wildcard $(SOURCE)),$(call absolute,SOURCE),$(if $(SOURCE),SOURCE='$(SOURCE)')) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
+	  $(if $(wildcard $(SOURCE)),$(call absolute,SOURCE),$(if $(SOURCE),SOURCE='$(SOURCE)')) $(outside) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
 dist:
 	@echo "make dist: the name of this folder has a blank. Rename it." >&2; exit 1
 else
 
 dist:
-	@sh extras/setup/packages.sh git dpkg-dev $(TOOL) $(SCOPE) $(STATIC) 'g++-aarch64-linux-gnu?'
+	@sh extras/setup/packages.sh git
+	@sh extras/setup/zip.sh >/dev/null
+	@sh extras/setup/packages.sh dpkg-dev $(TOOL) $(SCOPE) $(STATIC) 'g++-aarch64-linux-gnu?'
 	@sh extras/setup/dist.sh
 
 help:
-	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it needs"
-	@echo "            SKETCH=examples/NAME  another sketch"
-	@echo "            SOURCE=file           a recorded line"
-	@echo "            SOURCE=/dev/ttyUSB0   a real receiver, on an FTDI adapter with inverted RXD"
-	@echo "            SOURCE=sim:24         another simulated receiver, see extras/host"
-	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
-	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/cli"
-	@echo "make install PREFIX=/usr/local  installs it, its manual, completion for bash, zsh and fish, a udev rule"
-	@echo "make uninstall PREFIX=/usr/local  removes these again"
-	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
-	@echo "make test   the tests that a change needs: a minute; installs what it needs"
-	@echo "            ONLY=LinkTest         one file of test/unit or test/host"
-	@echo "            SEED=n                another seed than today's"
-	@echo "            V=1                   prints everything"
-	@echo "make test-all  every test: sanitizers, a second compiler, simulated boards, the page, the command, fuzzing"
-	@echo "            CAPTURES=dir          also replays recordings of real receivers in dir"
-	@echo "make impairment  the table of what comes through impaired lines: ours beside the baseline, the paper's listing"
-	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
-	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
-	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
-	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
-	@echo "            TRIES=200000          how long the longest call is searched for"
-	@echo "make figures  writes the tables of extras/docs/measured.md (impairment, size, bench); some minutes"
-	@echo "make docs   the API reference, build/docs/html/index.html"
-	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
-	@echo "make dist   what a release offers, in dist/: ZIP, page, sbus as a Debian package and for any Linux, SHA256SUMS"
-	@echo "make release VERSION=x.y.z  sets the version, dates CHANGELOG.md, fills in every placeholder, says what is left to do"
-	@echo "            URL=https://github.com/NAME/DecodeSBus MAINTAINER='NAME <ADDRESS>'  the first time"
-	@echo "make clean  removes build/ and dist/"
+	@cat extras/setup/help.txt
+
+# A `make -j` of the user brings processes of its own. Two runs in this folder build one after the other.
+jobs = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$$(nproc))
+build = mkdir -p build && $(if $(shell command -v flock),flock build/making) $(MAKE) --no-print-directory -s $(jobs)
 
 SKETCH ?= examples/DecodeSBus
 sketch_name = $(notdir $(SKETCH:/=))
@@ -62,13 +42,13 @@ sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS $(if
 
 demo:
 	@sh extras/setup/packages.sh g++ libcli11-dev libserialport-dev
-	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/host SKETCH='$(SKETCH)' 1>&2
+	+@$(build) -C extras/host SKETCH='$(SKETCH)' 1>&2
 	@build/host/$(sketch_name) $(if $(SOURCE),--source '$(SOURCE)',$(sketch_options)) \
 	  $(if $(PTY),--pty)
 
 sbus:
 	@sh extras/setup/packages.sh $(TOOL)
-	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/cli
+	+@$(build) -C extras/cli
 	@echo build/sbus/sbus
 
 SBUS := build/sbus/sbus
@@ -83,14 +63,19 @@ install: $(if $(filter file,$(origin SBUS)),sbus)
 	@install -D -m 644 extras/cli/60-sbus-uinput.rules '$(installed)/lib/udev/rules.d/60-sbus-uinput.rules'
 	@echo '$(installed)/bin/sbus'
 
+# Folders that a system has anyway stay.
 uninstall:
 	@rm -fv $(foreach file,bin/sbus share/man/man1/sbus.1 share/bash-completion/completions/sbus \
 	  share/zsh/site-functions/_sbus share/fish/vendor_completions.d/sbus.fish lib/udev/rules.d/60-sbus-uinput.rules,'$(installed)/$(file)')
+	@rmdir $(foreach folder,share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
+	  share/fish/vendor_completions.d share/fish lib/udev/rules.d lib/udev share/man/man1 \
+	  $(if $(filter /usr /usr/local,$(PREFIX)),,share/man share lib bin),'$(installed)/$(folder)') \
+	  $(if $(filter /usr /usr/local,$(PREFIX)),,'$(installed)') 2>/dev/null || :
 
 SCOPE_PORT ?= 8000
 scope:
 	@sh extras/setup/packages.sh $(SCOPE)
-	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/scope
+	+@$(build) -C extras/scope
 	@node extras/scope/serve.mjs build/scope/index.html '$(SCOPE_PORT)'
 
 CAPTURES ?=
@@ -108,11 +93,11 @@ ARM_CXX := 'libstdc++-arm-none-eabi-dev?'
 
 test:
 	@sh extras/setup/packages.sh $(TEST)
-	@$(MAKE) --no-print-directory -j$$(nproc) -C test
+	@$(MAKE) --no-print-directory $(jobs) -C test
 
 test-all:
-	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
-	@$(MAKE) --no-print-directory -j$$(nproc) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
+	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@$(MAKE) --no-print-directory $(jobs) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:
 	@sh extras/setup/packages.sh $(TEST)

@@ -49,7 +49,7 @@ constexpr bool opensBothWays(Port &) {
 /// The paper's sketch calls parseSBusFrame() and decodeSBusFrame() instead.
 ///
 /// DecodeSBus24 decodes FrSky's 24 channels, DecodeSBus32 also Futaba's CH17..CH32. Call all methods from setup(),
-/// loop() or serialEventN(). (A Grasshopper's core does not call serialEventN(), because no bytes wait there.)
+/// loop() or serialEventN(). (A Grasshopper's core does not call serialEventN(), because no bytes are pending there.)
 ///
 /// On a Grasshopper (STM32L0) the serial driver calls the decoder back at interrupt level whenever bytes arrive: the
 /// sketch need not call a method in time, but the object must live until end(). DecodeSBusBackground does the same on

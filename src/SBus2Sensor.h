@@ -108,7 +108,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
   /// Stops answering, and closes the port, like DecodeSBusOf::end().
   void end();
 
-  /// Reads the bytes that wait on the port, like DecodeSBusOf::parseSBusFrame(), and sends the answer that is due.
+  /// Reads the pending bytes, like DecodeSBusOf::parseSBusFrame(), and sends the answer that is due.
   ///
   /// On a Grasshopper, a Pico and an AVR with a timer 2, interrupts do all this; on an ESP32 a task does. There this
   /// method does nothing, and the sketch need not call it. On all other boards call it at least every 75 us: a later

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs every command that README.md, CONTRIBUTING.md and `make help` name, and says "ok ..." or "FAILED ...". A command that
-# no line below runs is a failure; so is one below that no page names. Placeholders have a number or a name here, and what
-# takes long is made short.
+# Runs every command that README.md, CONTRIBUTING.md, maintaining.md, ftdi.md ("Record a receiver") and `make help` name, and
+# says "ok ..." or "FAILED ...". A command that no line below runs is a failure; so is one below that no page names.
+# Placeholders have a number or a name here, and what takes long is made short.
 # The commands run in a copy of the repository, on what other steps have built there: run.sh calls this last.
 # BUILD: an absolute folder for what is built.
 set -u
@@ -9,36 +9,6 @@ cd "$(dirname "$0")/.." || exit 1
 export BUILD="${BUILD:-$PWD/build/test}" STEP_LOGS="${STEP_LOGS:-$BUILD/steps}"
 unset MAKEFLAGS MAKELEVEL CAPTURES V STEPS SKETCH RECORDING PORT PTY SCOPE_PORT PREFIX DESTDIR FRAMES SEED ONLY FULL WITHOUT TRIES
 root=$PWD
-
-# Prints "PAGE:LINE<tab>COMMAND" of each line of a fenced block, each inline code that is a command, and each line of
-# `make help` (page "help"). Comments there name more: `make bench`, or FULL=1 and --baud 200000 of the line's command.
-named() {
-  awk '
-    function emit(command) { print FILENAME ":" FNR "\t" command }
-    function more(command, comment,    word) {
-      while (match(comment, /make (-C [a-z]+ )?[a-z][a-z-]+|[A-Z_]+=(\047[^\047]*\047|[^ ,;)]*)|--[a-z-]+( [0-9]+)?/)) {
-        word = substr(comment, RSTART, RLENGTH)
-        comment = substr(comment, RSTART + RLENGTH)
-        emit(word ~ /^make/ ? word : command " " word)
-      }
-    }
-    function line(text, separator,    at) {
-      at = match(text, separator) ? RSTART : length(text) + 1
-      emit(command = substr(text, 1, at - 1))
-      more(command, substr(text, at))
-    }
-    FILENAME == "help" && /^ / { more(command, $0) }
-    FILENAME == "help" { if (/^[^ ]/) line($0, "   *"); next }
-    /^```/ { fenced = !fenced; shell = !/^```(cpp|text)/; next }
-    fenced { if (shell && /[^ ]/) line($0, "  *#"); next }
-    {
-      pieces = split($0, piece, "`")
-      if (pieces > 0 && pieces % 2 == 0) emit("` without a second one on its line")
-      for (i = 2; i < pieces; i += 2) {
-        if (piece[i] ~ /^([A-Z_]+=(\047[^\047]*\047|[^ ]*) )*(make|(sbus|sudo|build\/[^ ]*) .+)( |$)/) emit(piece[i])
-      }
-    }' README.md CONTRIBUTING.md help
-}
 
 # check REGEX SHELL COMMAND...   SHELL is what the pages' COMMANDs are here. It ends well, and a line of its output is like
 # REGEX. (Without a COMMAND it is SHELL.)
@@ -102,7 +72,7 @@ small() {
   find test/recordings/*.txt ! -name paper.txt -delete
   find test/golden/*.csv ! -name DecodeSBus.csv ! -name DecodeSBus-paper.csv ! -name README.csv ! -name receivers.csv -delete
   find examples -mindepth 1 -maxdepth 1 ! -name DecodeSBus -exec rm -r {} +
-  find extras/docs/*.md ! -name receivers.md ! -name receiver.md ! -name measured.md -delete
+  find extras/docs/*.md ! -name receivers.md ! -name receiver.md ! -name measured.md ! -name maintaining.md -delete
   sed -i '/^DecodeSBus /!d' test/golden/LINES
 }
 
@@ -120,7 +90,7 @@ forget() {
 }
 trap forget EXIT
 mkdir -p "$copy/build" "$copy/bin" "$BUILD/sanitized/sketches" "$BUILD/tool" "$BUILD/scope"
-tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$copy"
+tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$copy"
 # What golden.sh, tool/run.sh and scope/run.sh have built, with their flags.
 ln -s "$BUILD/sanitized/sketches" "$copy/build/host"
 ln -s "$BUILD/tool" "$copy/build/sbus"
@@ -143,7 +113,8 @@ END
 chmod +x "$copy/bin/make"
 export PATH="$copy/bin:$copy/build/sbus:$PATH"
 cd "$copy" || exit 1
-make -s help >help
+check '^make demo ' 'make -s help | tee help' 'make help'
+awk '/^## / { inside = /Record a receiver/ } inside' extras/docs/ftdi.md >recording
 
 check decodeSBusFrame 'make docs && cat build/docs/html/classDecodeSBusOf.html ||
   [ "$(doxygen --version)" = 1.9.4 ] || echo "skipped: the warnings of this Doxygen are others"' 'make docs'
@@ -154,7 +125,9 @@ check '^sbus [0-9]+\.[0-9]+\.[0-9]+ \(DecodeSBus\)$' 'make install PREFIX=/usr/l
   [ -s share/fish/vendor_completions.d/sbus.fish ] && [ -s lib/udev/rules.d/60-sbus-uinput.rules ] && bin/sbus --version' \
   'make install PREFIX=/usr/local'
 check "^removed '.*/a place/usr/local/bin/sbus'$" '[ -n "$(find "a place" -type f)" ] &&
-  make uninstall PREFIX=/usr/local DESTDIR="$PWD/a place" && [ -z "$(find "a place" -type f)" ]' 'make uninstall PREFIX=/usr/local'
+  make uninstall PREFIX=/usr/local DESTDIR="$PWD/a place" && [ -z "$(find "a place" -type f)" ] &&
+  [ "$(cd "a place/usr/local" && echo * share/*)" = "bin lib share share/man" ] && make install PREFIX="$PWD/a place/own" &&
+  make uninstall PREFIX="$PWD/a place/own" && [ "$(ls "a place")" = usr ]' 'make uninstall PREFIX=/usr/local'
 check '<title>.*S.Bus' '
   then='"'"'node -e "fetch(process.argv[1]).then((answer) => answer.text()).then(console.log)" "$(grep -o "http://.*/" said)"'"'"'
   until_says http:// make scope SCOPE_PORT=0' 'make scope' 'make scope SCOPE_PORT=8000'
@@ -168,12 +141,11 @@ check '^plotted ([0-9]+,){5}[0-9]+$' '
 check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo SOURCE=\$adapter" 'make demo SOURCE=/dev/ttyUSB0'
 check 'simulated FrSky receiver with 24 channels' "until_says 'receiver with 24 channels' make demo SOURCE=sim:24" 'make demo SOURCE=sim:24'
 check '^PASS: [1-9][0-9]* frames sent' 'until_says PASS make demo SKETCH=examples/Loopback' 'make demo SKETCH=examples/Loopback'
-check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" \
-  'make demo SKETCH=examples/Calibrate' 'make demo SKETCH=examples/NAME'
-check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' \
-  'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
+check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" 'make demo SKETCH=examples/NAME'
+check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
 
-check '^/dev/|no serial port' 'sbus ports'
+check '^Makefile$' 'git -C "$root" rev-parse -q --verify HEAD >/dev/null || echo "skipped: this is no clone"
+  git clone -q "$root" DecodeSBus && cd DecodeSBus && ls' "git clone $(sed -n 's/^url=//p' library.properties) DecodeSBus && cd DecodeSBus"
 # There is no adapter here: the path is compared with the source of what `sbus ports` prints.
 check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/line/system/LowLatency.cpp' \
   'echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer'
@@ -200,12 +172,12 @@ check '^(ok figures: make size|skipped figures: size, these compilers)' 'log fig
 check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
 check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z' \
   'make release VERSION=x.y.z URL=https://github.com/NAME/DecodeSBus' "make release VERSION=x.y.z MAINTAINER='NAME <ADDRESS>'"
-check '^ok dist: SHA256SUMS has every file' 'log dist test/dist.sh' 'make dist'
-check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist test/dist.sh' 'sudo tar xzf sbus-*.tar.gz -C /usr/local'
+check '^ok dist: SHA256SUMS has every file' 'log workflows test/workflows.py' 'make dist'
+check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log workflows test/workflows.py' 'sudo tar xzf sbus-*-linux-$(uname -m).tar.gz -C /usr/local'
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&
-  grep '^ok captures/paper.txt, loop() of 50 us' all" 'make test-all' 'make test-all CAPTURES=dir' 'make test-all CAPTURES=folder'
+  grep '^ok captures/paper.txt, loop() of 50 us' all" 'make test-all' 'make test-all CAPTURES=dir' 'make test-all CAPTURES=folder' "STEPS='tool|bench' make test-all"
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS=rules make test V=1 SEED=7 | tee rules && grep '^1 steps with seed 7' rules &&
   grep '^ok impairment/RULES: ' rules" 'make test' 'make test V=1' 'make test SEED=n'
 check '^9 passed, 0 failed$' 'make test ONLY=LinkTest'
@@ -214,10 +186,11 @@ check 'golden/DecodeSBus.csv$' 'rm test/golden/DecodeSBus.csv; make -C test gold
 check '[, ]10 frames of each line' 'newlib && make figures FRAMES=10 TRIES=10 && cat extras/docs/measured.md' 'make figures'
 check '^rm -rf build' 'make clean && [ ! -e build ]' 'make clean'
 
-named >names
+"$root/test/pages.py" commands README.md CONTRIBUTING.md extras/docs/maintaining.md recording help >names ||
+  echo "FAILED commands: the pages cannot be read"
 sort -t "$(printf '\t')" -k 2 -u names | while IFS="$(printf '\t')" read -r where command; do
   grep -qxF -e "$command" tested || echo "FAILED commands: $where names \"$command\", which no test runs: add it to test/commands.sh"
 done
 while read -r command; do
-  cut -f2 names | grep -qxF -e "$command" || echo "FAILED commands: $command: no page names it: take it out of test/commands.sh"
+  cut -f2 names | grep -qxF -e "$command" || grep -qF -e "$command" "$root"/extras/docs/*.md || echo "FAILED commands: $command: no page names it: take it out of test/commands.sh"
 done <tested

@@ -8,7 +8,7 @@
 #   verdicts/LINES                 what the sketch Diagnose finds on each of these lines
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   golden/from-the-paper*.csv     what the two sketches of docs/from-the-paper.md print
-#   docs/examples.md               that it shows lines of golden files
+#   README.md, docs/examples.md    that they show lines of golden files
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
 # "golden.sh VARIANT update" writes the golden files instead.
@@ -92,30 +92,31 @@ for sketch in "$build"/sketch/*; do
   program "$sketch" && [ -x "$build/$name" ]
   verdict $? "the sketch $name of the docs is built"
 done
-golden README "$build/README" --seconds 1
+golden README "$build/README" --seconds 10.05
 golden receivers "$build/receivers" --source sim:32 --seconds 0.3
 golden from-the-paper "$build/from-the-paper" --source recordings/paper.txt
 golden from-the-paper2 "$build/from-the-paper2" --seconds 0.1
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
 
-# Each block of docs/examples.md has lines of one golden file, in their order, of the example that the text before it names.
+# Each block of docs/examples.md, and README.md's, has lines of one golden file, in their order, of the example that the text before it names.
 rm -rf "$build/shown"
 mkdir "$build/shown"
 awk -v folder="$build/shown" '
+  FNR == 1 { name[2] = "README" }
   /^`[A-Z]/ { split($0, name, "`") }
   /^```/ { inside = /^```text$/; next }
-  inside { print >(folder "/" name[2]) }' ../extras/docs/examples.md
+  inside { print >(folder "/" name[2]) }' ../README.md ../extras/docs/examples.md
 for shown in "$build"/shown/*; do
   name=${shown##*/}
   for file in "golden/$name.csv" "golden/$name"-*.csv; do
     awk 'NR == FNR { wanted[++count] = $0; next } { sub(/\r$/, "") } $0 == wanted[at + 1] { at++ }
       END { exit !count || at < count }' "$shown" "$file" && break
   done
-  verdict $? "docs/examples.md shows what $name prints"
+  verdict $? "the pages show what $name prints"
 done
-[ "$(find "$build/shown" -type f | wc -l)" -ge 6 ]
-verdict $? "docs/examples.md shows six examples or more"
+[ "$(find "$build/shown" -type f | wc -l)" -ge 7 ] && [ -s "$build/shown/README" ]
+verdict $? "README.md shows what its sketch prints, and docs/examples.md six examples or more"
 
 # silence RECORDING WORDS: a recording that brings no line, and the reason given
 silence() {

@@ -16,7 +16,7 @@ printf '\npackage: the ZIP, and a release\n'
 command -v git >/dev/null && command -v unzip >/dev/null || { echo "skipped package: needs git and unzip"; exit; }
 rm -rf "$out"
 mkdir -p "$scratch"
-tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$scratch"
+tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$scratch"
 # As before any release: ours may have been released.
 printf '# Changelog\n\n## Unreleased\n\n- New.\n' >"$scratch/CHANGELOG.md"
 address=https://decodesbus.example
@@ -28,7 +28,7 @@ cat >>"$scratch/README.md" <<END
 old
 <!-- from the first release
 new
-[release]($address/releases)
+[release]($address/releases), [page](https://page.decodesbus.example/)
 https://img/release/decodesbus.example
 -->
 end
@@ -47,38 +47,28 @@ version=$(sed -n 's/^version=//p' library.properties)
 made=$(make -s -C "$scratch" zip)
 [ "$made" = "build/DecodeSBus-$version.zip" ] && unzip -q "$scratch/$made" -d "$out/libraries"
 verdict $? "make zip writes build/DecodeSBus-$version.zip, and it unzips"
+mkdir "$out/source"
+cp -r Makefile library.properties "$out/source"
+mkdir "$out/source/extras"
+cp -r extras/setup "$out/source/extras"
+for goal in zip dist; do
+  ! GIT_CEILING_DIRECTORIES="$out" make -s -C "$out/source" $goal >"$out/said" 2>&1 &&
+    [ "$(grep -v '^make: ' "$out/said")" = "make zip and make dist pack what is committed: they need git, and a folder made by git clone" ] || { cat "$out/said"; false; }
+  verdict $? "without git's folder, make $goal says what it needs"
+done
+git clone -q -c core.autocrlf=true "$scratch" "$out/windows"
+converted=$(command git -C "$out/windows" ls-files --eol | sed 's,^i/\([^ ]*\) *w/\([^ ]*\).*\t,\1 \2 ,' | awk '$1 != $2')
+[ -s "$out/windows/Makefile" ] && [ -z "$converted" ] || { echo "$converted" | head; false; }
+verdict $? "a clone with core.autocrlf, as on Windows, has the bytes of the repository"
 library=$out/libraries/DecodeSBus
 [ "$(ls "$out/libraries")" = DecodeSBus ] &&
   [ "$(ls "$library" | LC_ALL=C sort | tr '\n' ' ')" = "CHANGELOG.md CMakeLists.txt CONTRIBUTING.md LICENSE README.md examples extras \
 idf_component.yml keywords.txt library.json library.properties src zephyr " ] &&
   [ "$(ls "$library/extras" | tr '\n' ' ')" = "cli docs host scope " ] && [ "$(ls "$library/extras/cli")" = README.md ]
 verdict $? "the ZIP is one folder, with what a library has"
-# Prints PAGE TARGET of each relative link, or PAGE#HEADING of each heading, as GitHub names it.
-links() {  # WHAT
-  (cd "$library" && find . -name '*.md' -exec awk -v what="$1" '
-    /^```/ { fenced = !fenced }
-    what == "headings" && !fenced && sub(/^#+ /, "") {
-      gsub(/[^A-Za-z0-9_ -]/, "")
-      gsub(/ /, "-")
-      print FILENAME "#" tolower($0)
-    }
-    what == "links" && !fenced {
-      while (match($0, /\]\([^) ]+\)/)) {
-        target = substr($0, RSTART + 2, RLENGTH - 3)
-        $0 = substr($0, RSTART + RLENGTH)
-        if (target !~ /^[a-z]+:/) print FILENAME, target
-      }
-    }' {} +)
-}
-links headings >"$out/headings"
-links links >"$out/links"
-dead=$(while read -r page target; do
-  file=$page
-  case $target in '#'*) ;; *) file=./$(cd "$library" && realpath -m --relative-to=. "${page%/*}/${target%%#*}") ;; esac
-  [ -e "$library/$file" ] || echo "$page: $target"
-  case $target in *'#'*) grep -qxF "$file#${target#*#}" "$out/headings" || echo "$page: $target" ;; esac
-done <"$out/links")
-[ "$(wc -l <"$out/links")" -gt 100 ] && [ -z "$dead" ] || { echo "$dead"; false; }
+[ "$(wc -l <README.md)" -le 90 ] && [ "$(wc -l <CONTRIBUTING.md)" -le 60 ]
+verdict $? "README.md has 90 lines at most, CONTRIBUTING.md 60"
+dead=$(./test/pages.py dead "$library") && [ -z "$dead" ] || { echo "$dead"; false; }
 verdict $? "every relative link of the ZIP's pages leads to a file and a heading of the ZIP"
 # `pio pkg pack` adds the manifests, README and LICENSE to what library.json names.
 include=$(tr '\n' ' ' <library.json | sed -n 's/.*"include": \[\([^]]*\)\].*/\1/p' | tr -d '",')
@@ -162,7 +152,7 @@ verdict $? "the version of library.properties can be released, if it is not rele
 git checkout -q .
 released 9.9.9 "$first" $url "$who"
 verdict $? "make release sets version, addresses and dates, and says what is left"
-[ "$(tail -n 6 "$scratch/README.md" | tr '\n' '|')" = "new|[release]($url/releases)|https://img/release/somebody/DecodeSBus|end|alone|last|" ] &&
+[ "$(tail -n 6 "$scratch/README.md" | tr '\n' '|')" = "new|[release]($url/releases), [page](https://somebody.github.io/DecodeSBus/)|https://img/release/somebody/DecodeSBus|end|alone|last|" ] &&
   grep -q '\[MIT licence\]' "$scratch/README.md" && ! grep -qE '^ *(<!--|-->)|first release|\.example' "$scratch/README.md"
 verdict $? "README.md then has what holds from the first release on, and no marks"
 

@@ -37,12 +37,12 @@ test lines-300        impaired lines against their bounds
 all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
 both rules            the rules of receiver.md
 all  package          the ZIP, and a release
-all  dist             what a release offers
 all  platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
 all  setup            what is said where packages are missing; a folder with a blank
 both uses             every public function is used by a sketch; keywords
 all  captures         recordings of real receivers
 all  figures          the figures of measured.md
+all  workflows        the steps of the workflows, as GitHub runs them; what a release offers
 all  commands         the commands of the pages'
 
 # build VARIANT TARGETS...
@@ -103,7 +103,6 @@ step_captures() {
 step_rules() { impairment/without.sh check; }
 step_scope() { scope/run.sh; }
 step_package() { ./package.sh; }
-step_dist() { after scope && ./dist.sh; }
 step_platforms() { platforms/run.sh; }
 step_setup() { ./setup.sh; }
 step_uses() { ./uses.sh; }
@@ -122,7 +121,8 @@ newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
 step_figures() { after lines-5000 bench && ../extras/docs/figures.sh check; }
-step_commands() { after scope tool package dist figures && ./commands.sh; }
+step_workflows() { after scope package && ./workflows.py; }
+step_commands() { after scope tool package workflows figures && ./commands.sh; }
 
 # Waits until these steps are done, which stand before this one in `steps`: it takes what they have built, or their logs.
 after() {
@@ -206,7 +206,7 @@ fi
 COUNT=$(echo "$chosen" | wc -l)
 export COUNT CHOSEN="$chosen"
 case $tier in
-  test) time='about 30 s; the first time 2 minutes more, to build them' ;;
+  test) time="about 30 s; the first time $((180 / $(nproc) + 1)) s more, to build them" ;;
   *) time='5 to 10 minutes; the first time 20 more, to build them' ;;
 esac
 last=$(cat "$BUILD/took-$tier" 2>/dev/null)

@@ -99,24 +99,55 @@ machine apt-get
 needs 1 "Packages are missing, and there is no apt-get. $remedy" g++ libcli11-dev && says 1
 verdict $? "without apt it names the packages"
 machine ""
-needs 1 "apt-get could not install all packages (is there a network?). $remedy" g++ libcli11-dev && says 4
+needs 1 "apt-get could not install all packages (is there a network, and is this Debian 12, Ubuntu 24.04 or later?). $remedy" g++ libcli11-dev && says 4
 verdict $? "without a network it names the packages"
 machine dpkg-query
 needs 0 "This is not Debian or Ubuntu: if something is missing, install it by hand. The Debian packages: g++ chromium pkg-config" \
   g++ 'chromium?' 'pkg-config|pkgconf' && says 1
 verdict $? "elsewhere it names the packages, and the work goes on"
 
+# ---- Several processes
+
+tree=$work/tree
+mkdir "$tree"
+tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$tree"
+make -s -j8 -C "$tree" demo SKETCH=None >"$work/out" 2>&1
+grep -q 'There is no sketch None/None.ino' "$work/out" && ! grep -i warning "$work/out"
+verdict $? "make -j8 warns of nothing"
+# In the place of make, for what builds: says whether another one is at work.
+cat >"$work/builder" <<'END'
+#!/bin/sh
+mkdir busy || echo "two at a time"
+sleep 1
+rmdir busy
+END
+chmod +x "$work/builder"
+mkdir -p "$tree/build/host"
+printf '#!/bin/sh\necho ran\n' >"$tree/build/host/DecodeSBus"
+chmod +x "$tree/build/host/DecodeSBus"
+make -s -C "$tree" demo MAKE="$work/builder" >"$work/first" 2>&1 &
+make -s -C "$tree" demo MAKE="$work/builder" >"$work/out" 2>&1
+wait $!
+[ "$(cat "$work/first" "$work/out")" = "ran
+ran" ] || { cat "$work/first" "$work/out"; false; }
+verdict $? "two runs of make demo build one after the other"
+[ -z "$(make -s -C "$tree" help | grep -E '.{81}')" ]
+verdict $? "make help fits 80 columns"
+
 # ---- A folder with a blank
 
 folder="$work/a folder"
 mkdir "$folder"
-tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$folder"
+tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$folder"
 # made: runs make there, and sets `copy` to the copy's folder
 made() { make -s -C "$folder" help >"$work/out" 2>&1 && copy=$(cat "$folder/build/copy") || { cat "$work/out"; false; }; }
 made && grep -q '^make demo ' "$work/out" && [ "$(stat -c %a "$copy")" = 700 ] && [ "$(readlink "$copy/build")" = "$folder/build" ]
 verdict $? "in a folder with a blank make works in a copy that no other user can read, with build/ here"
 ! make -s -C "$folder" dist >"$work/out" 2>&1 && grep -qx 'make dist: the name of this folder has a blank. Rename it.' "$work/out"
 verdict $? "... except make dist, which says so"
+make -s -C "$folder" demo SKETCH=../None >"$work/out" 2>&1
+grep -q "There is no sketch $work/None/None.ino: " "$work/out" || { cat "$work/out"; false; }
+verdict $? "... and a sketch beside the folder is found from there"
 first=$copy
 made && [ "$copy" = "$first" ]
 verdict $? "the copy's folder is used again"

@@ -16,7 +16,7 @@ if [ -z "$(find "$copy" -maxdepth 0 -type d -user "$(id -u)" 2>/dev/null)" ]; th
   echo "$copy" >build/copy
 fi
 find "$copy" -mindepth 1 -maxdepth 1 -exec rm -rf {} +
-tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$copy"
+tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$copy"
 chmod 700 "$copy"  # tar has given it the mode of this one
 ln -s "$PWD/build" "$copy/build"
 echo "$copy"

@@ -7,6 +7,8 @@ umask 022
 cd "$(dirname "$0")/../.."
 root=$PWD
 build=${BUILD:-$root/build}
+# The name that `make sbus` and `make scope` have for it: the files with what objects depend on have this name.
+for_make=${BUILD:-../../build}
 dist=${DIST:-$root/dist}
 work=$build/dist
 version=$(sed -n 's/^version=//p' library.properties)
@@ -14,6 +16,7 @@ maintainer=$(sed -n 's/^maintainer=//p' library.properties)
 architecture=$(dpkg --print-architecture)
 homepage=$(sed -n 's/^url=//p' library.properties)
 libraries='libserialport-dev libarchive-dev libncurses-dev libevdev-dev nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev'
+zip=$(sh extras/setup/zip.sh)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 
@@ -79,12 +82,12 @@ END
 
 rm -rf "$work" "$dist"
 mkdir -p "$work" "$dist"
-cp "$(sh extras/setup/zip.sh)" "$dist"
-run_make -C extras/scope BUILD="$build/scope"
+cp "$zip" "$dist"
+run_make -C extras/scope BUILD="$for_make/scope"
 cp "$build/scope/index.html" "$dist/scope.html"
-run_make -C extras/cli BUILD="$build/sbus" "$build/sbus/sbus" "$build/sbus/sbus-static"
+run_make -C extras/cli BUILD="$for_make/sbus" "$for_make/sbus/sbus" "$for_make/sbus/sbus-static"
 package_debian "$build/sbus/sbus"
-package_static "$build/sbus/sbus-static" strip "sbus-$version-linux-$architecture"
+package_static "$build/sbus/sbus-static" strip "sbus-$version-linux-$(uname -m)"
 cross=aarch64-linux-gnu
 if [ "$architecture" = arm64 ]; then
   :
@@ -92,7 +95,7 @@ elif command -v $cross-g++ >/dev/null; then
   # shellcheck disable=SC2086  # names, to be split
   [ -e "$build/arm64/debian/usr" ] || sh extras/setup/arm64.sh "$build/arm64/debian" $libraries
   run_make -C extras/cli BUILD="$build/arm64" CXX=$cross-g++ LDFLAGS="-L$build/arm64/debian/usr/lib/$cross" "$build/arm64/sbus-static"
-  package_static "$build/arm64/sbus-static" $cross-strip "sbus-$version-linux-arm64"
+  package_static "$build/arm64/sbus-static" $cross-strip "sbus-$version-linux-aarch64"
 else
   echo "no sbus for arm64: there is no $cross-g++ here" >&2
 fi

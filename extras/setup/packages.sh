@@ -101,5 +101,5 @@ for round in first second; do
   chosen=$(to_install $list)
   [ -n "$chosen" ] || exit 0
   echo "Installing what is missing:" $chosen >&2
-  apt install -y --no-install-recommends $chosen || give_up "apt-get could not install all packages (is there a network?)"
+  apt install -y --no-install-recommends $chosen || give_up "apt-get could not install all packages (is there a network, and is this Debian 12, Ubuntu 24.04 or later?)"
 done

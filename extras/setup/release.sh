@@ -5,11 +5,10 @@
 #   VERSION=x.y.z
 #   URL=https://github.com/NAME/DecodeSBus
 #   MAINTAINER='NAME <ADDRESS>'   an address that people can write to
-#   NAMESPACE=NAME                at components.espressif.com; default: NAME of URL
 set -eu
 cd "$(dirname "$0")/../.."
 
-: "${VERSION:=}" "${URL:=}" "${MAINTAINER:=}" "${NAMESPACE:=}"
+: "${VERSION:=}" "${URL:=}" "${MAINTAINER:=}"
 
 reject() {
   echo "$1" >&2
@@ -25,8 +24,6 @@ whole "$VERSION" "$number\.$number\.$number" || reject "VERSION=$VERSION: three 
   reject "URL=$URL: the project's address is expected, such as https://github.com/NAME/DecodeSBus"
 [ -z "$MAINTAINER" ] || whole "$MAINTAINER" '[^<>|&\\"]*[^<>|&\\" ] <[^<>|&\\" @]+@[A-Za-z0-9.-]+\.[A-Za-z]+>' ||
   reject "MAINTAINER=$MAINTAINER: a name and an address are expected, such as 'Ada Byron <ada@byron.org>'"
-[ -z "$NAMESPACE" ] || whole "$NAMESPACE" '[A-Za-z0-9_-]+' ||
-  reject "NAMESPACE=$NAMESPACE: your namespace at components.espressif.com is expected"
 last=$(property version)
 [ "$(printf '%s\n' "$VERSION" "$last" | sort -t. -k1,1n -k2,2n -k3,3n | tail -n 1)" = "$VERSION" ] ||
   reject "VERSION=$VERSION: $last or higher is expected"
@@ -59,23 +56,25 @@ change CHANGELOG.md -e "s|^## Unreleased\$|## $VERSION, $(date +%F)|"
 change extras/cli/sbus.1 -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
 change README.md -e '/<!-- until the first release -->/,/<!-- from the first release$/d' \
   -e '/<!-- from the first release$/d' -e '/^ *-->$/d'
+# page URL: the scope's address on GitHub Pages
+page() { echo "$1" | sed -E 's|^https://github.com/([^/]+)/|https://\L\1\E.github.io/|; t; s|^https://|https://page.|'; }
 old=$(property url)
-for file in ${URL:+$(git grep -lF -e "${old#https://}" -- ':!extras/setup' ':!test')}; do
+for file in ${URL:+$(git grep -lF -e "${old#https://}" -e "$(page "$old")" -- ':!extras/setup' ':!test')}; do
   change "$file" -e "s|/release/${old#https://}|/release/${URL#https://github.com/}|" \
-    -e "s|/release/${old#https://github.com/}|/release/${URL#https://github.com/}|" -e "s|$old|$URL|g"
+    -e "s|/release/${old#https://github.com/}|/release/${URL#https://github.com/}|" -e "s|$(page "$old")|$(page "$URL")|g" \
+    -e "s|$old|$URL|g"
 done
 git --no-pager diff --stat
 
-owner=$(property url | cut -d/ -f4)
 echo "
 Set. What is left to do by hand:
   - read git diff; make test-all
   - git commit -am 'Release $VERSION' && sh extras/setup/tags.sh
     The tag v$VERSION makes the release on GitHub: .github/workflows/release.yml. If its job windows fails, sbus for Windows is
     missing there
-  - the first time, in GitHub's settings: Pages > Source: GitHub Actions; Environments > github-pages: allow tags v*;
-    General > Discussions. Then the Library Manager
-    request, a pull request that adds $(property url) to repositories.txt of
-    https://github.com/arduino/library-registry; later it finds the tags by itself
-  - PlatformIO: pio pkg publish; ESP-IDF: compote component upload --namespace ${NAMESPACE:-$owner} --name decodesbus
+  - the first time, before the tag, in GitHub's settings: Pages > Source: GitHub Actions; Environments > github-pages: allow
+    tags v*; General > Discussions; Secrets > Actions: PLATFORMIO_AUTH_TOKEN and IDF_COMPONENT_API_TOKEN. Without such a token:
+    pio pkg publish; compote component upload --namespace $(property url | cut -d/ -f4) --name decodesbus
+  - the first time, after it: a pull request that adds $(property url) to repositories.txt of
+    https://github.com/arduino/library-registry; later the Library Manager finds the tags by itself
   - begin the next section of CHANGELOG.md with ## Unreleased"

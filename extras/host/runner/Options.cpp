@@ -136,7 +136,7 @@ Options parseOptions(int argc, char **argv) {
       ->type_name("N:FILE")
       ->take_all()
       ->allow_extra_args(false);
-  app.add_flag("--pulses", options.pulses, "servo pulses come to the pins 2..5, as from a receiver without S.Bus");
+  app.add_flag("--pulses", options.pulses, "servo pulses at the pins 2..5, as from a receiver without S.Bus");
   app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
       ->type_name("FILE");
   app.add_option("--seconds", options.seconds, "end after this many seconds (default: 15; calibration: 40)")

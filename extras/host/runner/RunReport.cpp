@@ -26,7 +26,7 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
 
 // Prints what was received with these settings of port and line.
 void reportReception(const Reception &reception, int number) {
-  std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu with errors", number,
+  std::fprintf(stderr, "Serial%d at %s: %lu characters arrived, %lu good, %lu with errors", number,
                text(reception.settings.rx).c_str(), reception.sent, reception.good, reception.bad);
   const std::string wrong = mismatch(reception.settings.rx, reception.wire);
   if (!wrong.empty()) {
@@ -38,7 +38,7 @@ void reportReception(const Reception &reception, int number) {
 // Prints why the port did not receive all characters.
 void reportLosses(const BoardPort &port, int number) {
   if (port.missedClosed() > 0) {
-    std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", number, port.missedClosed());
+    std::fprintf(stderr, "Serial%d was closed while %lu characters arrived\n", number, port.missedClosed());
   }
   if (port.everOpened()) {
     std::fprintf(stderr,

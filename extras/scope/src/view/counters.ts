@@ -15,7 +15,7 @@ const rows: [keyof Status, string, string][] = [
   ['discardedBytes', 'discarded bytes', 'bytes that belong to neither a frame nor telemetry'],
   ['resyncs', 'resyncs', 'frames were found again after some were missed'],
   ['characterErrors', 'character errors', 'wrong parity or stop bit, or a break'],
-  ['lateReads', 'late reads', 'port reads that came 0.1 s or more late, because the PC was busy. What the line did meanwhile is not known'],
+  ['lateReads', 'late reads', 'port reads that came 0.1 s or more late, because the PC was busy. What the line did then is not known'],
   ['rows', 'rows', 'rows of numbers that a board printed'],
   ['otherLines', 'other lines', 'lines of text that a board printed'],
 ];
