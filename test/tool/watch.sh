@@ -95,7 +95,8 @@ for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1; d
 seq 290 1000 | diff - "$work/values" && [ "$(grep -c continued "$work/out")" -eq 3 ]
 verdict $? "a long event continues in other files, without a gap: $(ls "$work/dir" | wc -l) files"
 
-player send sim --seconds 14
+record_for 14 sim
+player send "$lasting"
 "$SBUS" watch "$terminal" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
 wait "$player"
 file=$(ls "$work"/dated/*)
