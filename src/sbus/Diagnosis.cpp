@@ -48,6 +48,8 @@ Text text(Finding finding) {
       return SBUS_TEXT("Interrupts off: the port lost bytes meanwhile.");
     case Finding::Noise:
       return SBUS_TEXT("Noise: frames are damaged.");
+    case Finding::NoPulses:
+      return SBUS_TEXT("No pulses: CH1 to CH4 are 0 without a flag. The receiver has lost the radio.");
     case Finding::Failsafe:
       return SBUS_TEXT("Failsafe: the receiver works, but has lost the link.");
     case Finding::NoRadio:
@@ -82,6 +84,8 @@ Text remedy(Finding finding) {
       return SBUS_TEXT("Write flash or EEPROM, and update long LED strips, only while frames may be missed.");
     case Finding::Noise:
       return SBUS_TEXT("Connect the grounds, check the supply, shorten the wire.");
+    case Finding::NoPulses:
+      return SBUS_TEXT("Use DecodeSBusNoPulses. Set the receiver's failsafe to Hold or Custom, not to No Pulses.");
     case Finding::Failsafe:
     case Finding::NoRadio:
       return SBUS_TEXT("Switch the radio on, or bind them.");
@@ -149,6 +153,9 @@ Finding Diagnosis::finding() const {
   }
   if (counters.discardedBytes > (counters.frames + 1) * GroupSizeMax) {
     return Finding::NoFrames;
+  }
+  if (_trial.pulseless != 0) {
+    return Finding::NoPulses;
   }
   if (counters.failsafeFrames != 0) {
     return Finding::Failsafe;

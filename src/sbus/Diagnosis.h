@@ -2,8 +2,8 @@
 /// Finds out what is wrong with a line, from what arrived with each port setting that was tried.
 ///
 ///   sbus::Diagnosis diagnosis;                      // a round: each setting is tried once
-///   diagnosis.add({100000, true, 500, counters});   // the expected setting first
-///   diagnosis.add({100000, false, 500, counters});
+///   diagnosis.add({100000, true, 500, counters, pulseless});   // the expected setting first
+///   diagnosis.add({100000, false, 500, counters, pulseless});
 ///   text(diagnosis.finding()), remedy(diagnosis.finding())
 ///   diagnosis.begin();                              // the next round
 #pragma once
@@ -22,7 +22,13 @@ struct Trial {
   bool inverted;       ///< the port inverts
   uint32_t ms;         ///< how long the port was polled; in 500 ms the slowest receiver known (25 Hz) sends 12 frames
   Counters counters;   ///< since the port was opened with this setting
+  uint32_t pulseless;  ///< frames without a flag for which hasNoPulses() is true
 };
+
+/// Returns true if CH1..CH4 are 0: as a receiver sends them that has lost the radio and is set to "no pulses".
+constexpr bool hasNoPulses(const uint16_t *channels) {
+  return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
+}
 
 /// What is wrong with the line; of several faults, the one to fix first.
 enum class Finding : uint8_t {
@@ -35,6 +41,7 @@ enum class Finding : uint8_t {
   PolledTooSeldom,       ///< the port's buffer overflowed
   InterruptsOff,         ///< the port lost bytes while interrupts were off (not noticed on an AVR)
   Noise,                 ///< more than one frame in a hundred is impaired
+  NoPulses,              ///< the receiver has lost the radio, and sends 0 without a flag
   Failsafe,              ///< the receiver is in failsafe
   NoRadio,               ///< more than half of the frames have the lost-frame flag, without failsafe
   Lossy,                 ///< more than a tenth of the frames have the lost-frame flag

@@ -26,6 +26,7 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.PolledTooSeldom]: 'warning',
   [Finding.InterruptsOff]: 'warning',
   [Finding.Noise]: 'warning',
+  [Finding.NoPulses]: 'alarm',
   [Finding.Failsafe]: 'alarm',
   [Finding.NoRadio]: 'alarm',
   [Finding.Lossy]: 'warning',
