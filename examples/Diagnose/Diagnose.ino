@@ -50,7 +50,7 @@ void tryOut(const Setting &setting) {
     pulseless += isNew && !frame.failsafe && !frame.lostFrame && sbus::hasNoPulses(frame.channels);
   }
   const sbus::Counters counters = dSBus.counters();
-  diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters, pulseless});
+  diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters, pulseless, sbus::Finding::NoSignal});
   Serial.print(setting.text);
   print(counters.frames, " frames, ");
   print(counters.discardedBytes, " discarded bytes\r\n");

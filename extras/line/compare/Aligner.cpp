@@ -11,6 +11,7 @@ namespace line {
 
 namespace {
 
+constexpr int64_t Ended = INT64_MAX / 2;  // up to when a side is known that has ended
 constexpr int64_t WindowUs = 50000;  // how far the delay may jump: a period of the slowest receiver, a late port
 constexpr int64_t TryEachUs = 2000000;
 constexpr int64_t TryMostUs = 60000000;
@@ -132,7 +133,7 @@ void Aligner::finish() {
 
 // The delay was found early: what came since then may repeat itself, or tell another one.
 void Aligner::checkDelay() {
-  const DelaySearch::Result result = (_by == DelayBy::Contents ? _changes : _losses).search(knownUs());
+  const DelaySearch::Result result = (_by == DelayBy::Contents ? _changes : _losses).search({Ended, Ended});
   if (_by == DelayBy::Times || !result.best.isLikely()) {
     return;
   }

@@ -79,6 +79,7 @@ DelaySearch::Fit DelaySearch::fit(const Places &places, const std::array<int64_t
       fit.agreeing += other != times[1].end() && *other <= us + delayUs + WidthUs / 2;
     }
   }
+  fit.agreeing = std::min(fit.agreeing, fit.of);
   return fit;
 }
 
