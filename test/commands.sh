@@ -60,7 +60,9 @@ until_says() {
 # adapter [ARGUMENTS]: a pseudo-terminal with a receiver, for 2 seconds from when it is opened; its name is in $adapter
 adapter() {
   rm -f terminal
-  timeout 60 build/sbus/sbus send sim --seconds 2 "$@" >terminal 2>/dev/null &
+  rm -f sent.txt
+  build/sbus/sbus record sim sent.txt --simulated-time --seconds 2 "$@" 2>/dev/null
+  timeout 60 build/sbus/sbus send sent.txt >terminal 2>/dev/null &
   wait_for test -s terminal
   adapter=$(cat terminal)
 }

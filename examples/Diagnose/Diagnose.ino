@@ -43,11 +43,14 @@ void tryOut(const Setting &setting) {
   while (input.read() >= 0) {  // drops older bytes
   }
   const uint32_t start = millis();
+  uint32_t pulseless = 0;
+  SBusFrame frame;
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
-    dSBus.parseSBusFrame();
+    const bool isNew = dSBus.read(frame);
+    pulseless += isNew && !frame.failsafe && !frame.lostFrame && sbus::hasNoPulses(frame.channels);
   }
   const sbus::Counters counters = dSBus.counters();
-  diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters});
+  diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters, pulseless, sbus::Finding::NoSignal});
   Serial.print(setting.text);
   print(counters.frames, " frames, ");
   print(counters.discardedBytes, " discarded bytes\r\n");

@@ -7,7 +7,8 @@
 
   Needs the library Servo, or ESP32Servo on an ESP32, from the Library Manager, unless the board's core has one.
 
-  On failsafe, and when no frame has come for 100 ms, the throttle closes and the other servos hold. Take the propeller
+  On failsafe, and when no frame has come for 100 ms, the throttle closes and the other servos hold. A FrSky receiver set
+  to "No pulses" may send 0 without a flag: then use DecodeSBusNoPulses, or all servos go to one end. Take the propeller
   off before you try this. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second, if the board has a
   second port: an Uno has not.
 */

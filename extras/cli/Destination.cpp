@@ -2,10 +2,12 @@
 
 #include <chrono>
 #include <cstdio>
+#include <stdexcept>
 #include <thread>
 
 #include "cli/Output.h"
 #include "cli/Stop.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -19,14 +21,19 @@ Destination::Destination(const std::string &to, const line::LineSettings &settin
   }
 }
 
-bool Destination::waitForReader() const {
+bool Destination::waitForReader(double seconds) const {
   if (!_terminal) {
     return true;
   }
   if (!_terminal->hasReader()) {
     std::fprintf(stderr, "waiting for a program to open %s; Ctrl-C ends it\n", _terminal->name().c_str());
   }
+  const auto begin = std::chrono::steady_clock::now();
   while (!_terminal->hasReader() && !stopped()) {
+    if (seconds > 0 && std::chrono::steady_clock::now() - begin > std::chrono::duration<double>(seconds)) {
+      throw std::runtime_error("no program has opened " + _terminal->name() + line::format(" within %g s", seconds) +
+                               "; start the reader earlier, or leave --seconds out");
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   // A program that opens a port sets it up first, and discards the bytes received before that.

@@ -16,8 +16,9 @@ class Destination {
   // Opens a port; if `to` is empty, creates a pseudo-terminal and prints its name. Throws std::runtime_error.
   Destination(const std::string &to, const line::LineSettings &settings);
 
-  // Waits until a program has opened the pseudo-terminal. Returns false after Ctrl-C.
-  bool waitForReader() const;
+  // Waits until a program has opened the pseudo-terminal, for at most `seconds`; 0: without a limit. Returns false after
+  // Ctrl-C. Throws std::runtime_error if no program has.
+  bool waitForReader(double seconds) const;
 
   // Gives a busy reader time to read the end: Linux discards unread bytes when a pseudo-terminal is closed.
   void finish() const;
@@ -30,6 +31,9 @@ class Destination {
 
   // Discards these bytes, if the port can.
   void discard(uint64_t nowUs);
+
+  // Returns true if the port is gone and will not come back: the other end of a pseudo-terminal.
+  bool isGone() const { return _port && _port->finished(); }
 
   // Sends without waiting. Reports on standard error that the port is gone, or back. Returns the number of bytes sent.
   size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes);

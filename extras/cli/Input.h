@@ -54,6 +54,9 @@ class Input {
     return _pace == Pace::RealTime && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   }
 
+  // Returns --seconds; 0 without it.
+  double seconds() const { return _seconds; }
+
   std::string note() const { return _line->note(); }
 
   // Throws std::runtime_error if the line fails right at its beginning.
@@ -83,6 +86,7 @@ class Input {
   bool step(const Taker &taker);
   uint64_t dueForUs(uint64_t endUs) const;
   bool advance();
+  void tellProgress();
   bool isOverdue() const;
   uint64_t sinceUs() const;
   void wait();

@@ -1,6 +1,7 @@
 #include "cli/Sending.h"
 
 #include <cstdio>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,7 @@ Sending::Sending(Subcommand &subcommand) {
 void Sending::run(Input &input) const {
   input.check();
   Destination destination(_to, input.settings());
-  if (!destination.waitForReader()) {
+  if (!destination.waitForReader(input.seconds())) {
     return;
   }
   say("sending; Ctrl-C ends it");
@@ -68,12 +69,18 @@ void Sending::run(Input &input) const {
           const size_t count = destination.send(nowUs, bytes);
           sent += count;
           lost += bytes.size() - count;
+          if (destination.isGone()) {
+            input.end();
+          }
         }
       });
   destination.finish();
   say(std::to_string(sent) + " characters sent" +
       (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow or gone" : "") +
       (bad > 0 ? "; " + std::to_string(bad) + " with errors left out: no port can send them" : ""));
+  if (destination.isGone()) {
+    throw std::runtime_error(_to + ": no program reads it any longer; start the reader, then this again");
+  }
 }
 
 }  // namespace tool

@@ -28,13 +28,14 @@ constexpr Name Names[] = {{"failsafe", stateIs(sbus::LinkState::Failsafe)},
                           {"lossy", stateIs(sbus::LinkState::Lossy)},
                           {"stale", stateIs(sbus::LinkState::Stale)},
                           {"failsafe", {Moment::Failsafe, 1, 1}},
+                          {"nopulses", {Moment::NoPulses, 1, 1}},
                           {"lostframe", {Moment::LostFrame, 1, 1}},
                           {"rejected", {Moment::Rejected, 1, 1}}};
 constexpr size_t StateCount = 4;
 
 constexpr const char *StateNames = "ok, lossy, stale or failsafe is expected";
 constexpr const char *AllNames =
-    "a channel such as ch5, failsafe, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
+    "a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
 constexpr const char *Value = "a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected";
 
 bool isLetter(char c) {
@@ -115,6 +116,9 @@ class Parser {
     }
     if (take("lost")) {
       return take("frame") ? add({Moment::LostFrame, 1, 1}) : fail("frame is expected");
+    }
+    if (take("no")) {
+      return take("pulses") ? add({Moment::NoPulses, 1, 1}) : fail("pulses is expected");
     }
     const bool isChannel = _token.size() > 2 && _token.substr(0, 2) == "ch" && isDigit(_token[2]);
     return isChannel ? channel() : name(std::begin(Names) + 1, std::end(Names), false, AllNames);
@@ -247,6 +251,7 @@ Moment::Moment(Observer &observer, uint64_t nowUs, bool isRejected) {
   values[Quality] = observer.linkQuality(nowUs);
   values[State] = static_cast<double>(observer.heldState(nowUs));
   values[Failsafe] = observer.inFailsafe();
+  values[NoPulses] = newest.hasNoPulses();
   values[LostFrame] = newest.lostFrame;
   values[Rejected] = isRejected;
 }

@@ -28,6 +28,7 @@ sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
 
 void Examination::begin(const Observer &observer, uint64_t nowUs) {
   _before = observer.counters16();
+  _pulselessBefore = observer.pulseless();
   _errorsBefore = observer.characterErrors();
   _beganUs = nowUs;
 }
@@ -36,7 +37,7 @@ sbus::Trial Examination::trial(const Observer &observer, const LineSettings &por
   const uint64_t ms = (nowUs - std::min(nowUs, _beganUs)) / 1000;
   sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
                        static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
-                       difference(observer.counters16(), _before)};
+                       difference(observer.counters16(), _before), observer.pulseless() - _pulselessBefore, observer.otherProtocol()};
   // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line with only such characters
   // is not silent.
   if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {

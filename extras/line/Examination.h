@@ -20,6 +20,7 @@ class Examination {
 
  private:
   sbus::Counters _before{};
+  uint32_t _pulselessBefore = 0;
   unsigned long _errorsBefore = 0;
   uint64_t _beganUs = 0;
 };

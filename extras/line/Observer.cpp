@@ -18,6 +18,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _decoders.reset(nowUs, characterUs);
   _segments.reset(characterUs);
   _telemetry = TelemetrySlots();
+  _protocols = sbus::OtherProtocols();
   _characterUs = characterUs;
   _last = Character();
   _last.endUs = nowUs;
@@ -62,6 +63,9 @@ void Observer::put(const Character &character) {
   _lineUs += _silenceUs + _characterUs;
   _silenceUs = 0;
   _last = character;
+  if (newest().count == 0) {
+    _protocols.put(character.value);
+  }
   _waits = !character.bad;
   _characterErrors += character.bad;
   _segments.put(character);

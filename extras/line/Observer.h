@@ -17,6 +17,7 @@
 #include "line/Statistics.h"
 #include "line/telemetry/TelemetrySlots.h"
 #include "sbus/LinkQuality.h"
+#include "sbus/OtherProtocols.h"
 
 namespace line {
 
@@ -44,6 +45,10 @@ class Observer : public Statistics {
   void finish();
 
   unsigned long characters() const { return static_cast<unsigned long>(_segments.end()); }
+  // Returns the protocol of packets that came before the first frame of S.Bus; NoSignal without one. See
+  // sbus::OtherProtocols.
+  sbus::Finding otherProtocol() const { return _protocols.found(); }
+
   unsigned long characterErrors() const { return _characterErrors; }
   // Returns true if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
@@ -77,6 +82,7 @@ class Observer : public Statistics {
   Character _last;
   uint64_t _lineUs;     // the decoders' time at its end: only characters and certain silence count
   uint64_t _silenceUs;  // the certain silence since then
+  sbus::OtherProtocols _protocols;
   bool _waits;          // _last has not been passed to the decoders
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;

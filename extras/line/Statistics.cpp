@@ -50,6 +50,7 @@ void Statistics::add(const Stretch &frame) {
   _newest = withFlags(_newest, flags);
   _newest.switches = is24 ? std::array<bool, 2>{} : _newest.switches;
   _newest.endUs = frame.endUs();
+  _pulseless += _newest.hasNoPulses();
   mark(0, count);
   Arrivals::add(frame.endUs(), flags);
 }

@@ -7,6 +7,7 @@
 
 #include "line/HeldLink.h"
 #include "line/Segments.h"
+#include "sbus/Diagnosis.h"
 #include "sbus/Link.h"
 
 namespace line {
@@ -69,6 +70,9 @@ struct Values {
   std::array<bool, 2> switches{};  // CH17 and CH18 of a line with 16 channels
   bool lostFrame = false;          // the frame's flag
   bool failsafe = false;           // the frame's flag
+
+  // Returns true if the receiver has lost the radio but does not say so by a flag: see sbus::Finding.
+  bool hasNoPulses() const { return count > 0 && !lostFrame && !failsafe && sbus::hasNoPulses(raw.data()); }
 };
 
 // Returns the values with the switches and flags of another flags byte, as of a frame with header 2F: of that an
@@ -81,6 +85,8 @@ class Statistics : public Arrivals {
   // Returns the travel of a channel, counted from 0, in frames without a flag, since failsafe values are not stick
   // positions.
   const Extent &travel(size_t channel) const { return _travel[channel]; }
+  // Returns how many frames had no pulses.
+  uint32_t pulseless() const { return _pulseless; }
   void resetMarks();
 
  protected:
@@ -90,6 +96,7 @@ class Statistics : public Arrivals {
   void mark(size_t first, size_t count);
 
   Values _newest;
+  uint32_t _pulseless = 0;
   std::array<Extent, 32> _travel{};
 };
 

@@ -32,6 +32,16 @@ Text text(Finding finding) {
   switch (finding) {
     case Finding::NoSignal:
       return SBUS_TEXT("No signal: not a byte with any setting.");
+    case Finding::IBus:
+      return SBUS_TEXT("Not S.Bus: the receiver sends i-BUS, FlySky's protocol.");
+    case Finding::Crsf:
+      return SBUS_TEXT("Not S.Bus: the receiver sends CRSF, the protocol of ExpressLRS, mLRS and Crossfire.");
+    case Finding::FPort:
+      return SBUS_TEXT("Not S.Bus: the receiver sends F.Port, FrSky's protocol.");
+    case Finding::Sumd:
+      return SBUS_TEXT("Not S.Bus: the receiver sends SUMD, Graupner's protocol.");
+    case Finding::Spektrum:
+      return SBUS_TEXT("Not S.Bus: the receiver sends Spektrum's satellite protocol.");
     case Finding::NoFrames:
       return SBUS_TEXT("No frames: bytes come, but few frames or none.");
     case Finding::Channels24:
@@ -48,6 +58,8 @@ Text text(Finding finding) {
       return SBUS_TEXT("Interrupts off: the port lost bytes meanwhile.");
     case Finding::Noise:
       return SBUS_TEXT("Noise: frames are damaged.");
+    case Finding::NoPulses:
+      return SBUS_TEXT("No pulses: CH1 to CH4 are 0 without a flag. The receiver has lost the radio.");
     case Finding::Failsafe:
       return SBUS_TEXT("Failsafe: the receiver works, but has lost the link.");
     case Finding::NoRadio:
@@ -66,6 +78,16 @@ Text remedy(Finding finding) {
   switch (finding) {
     case Finding::NoSignal:
       return SBUS_TEXT("Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?");
+    case Finding::IBus:
+      return SBUS_TEXT("Set the receiver's output to S.BUS on the radio: RX setup, output mode.");
+    case Finding::Crsf:
+      return SBUS_TEXT("Set the receiver's serial protocol to SBUS, with its web page or the radio's Lua script.");
+    case Finding::FPort:
+      return SBUS_TEXT("Choose S.Bus in the receiver's options, or give it FrSky's firmware for S.Bus.");
+    case Finding::Sumd:
+      return SBUS_TEXT("Set the receiver's serial output to S.Bus, if it has one, or use another receiver.");
+    case Finding::Spektrum:
+      return SBUS_TEXT("Use a receiver with an S.Bus output.");
     case Finding::NoFrames:
       return SBUS_TEXT(
           "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.");
@@ -82,6 +104,8 @@ Text remedy(Finding finding) {
       return SBUS_TEXT("Write flash or EEPROM, and update long LED strips, only while frames may be missed.");
     case Finding::Noise:
       return SBUS_TEXT("Connect the grounds, check the supply, shorten the wire.");
+    case Finding::NoPulses:
+      return SBUS_TEXT("Use DecodeSBusNoPulses. Set the receiver's failsafe to Hold or Custom, not to No Pulses.");
     case Finding::Failsafe:
     case Finding::NoRadio:
       return SBUS_TEXT("Switch the radio on, or bind them.");
@@ -113,6 +137,7 @@ void Diagnosis::add(const Trial &trial) {
     _trial = trial;
     _best = _count;
   }
+  _other = trial.other != Finding::NoSignal ? trial.other : _other;
   _anyByte = _anyByte || trial.counters.frames != 0 || trial.counters.discardedBytes != 0;
   _count++;
 }
@@ -132,6 +157,9 @@ Finding Diagnosis::finding() const {
   if (framesCome && otherBaud) {
     return Finding::WrongBaud;
   }
+  if (!framesCome && _other != Finding::NoSignal) {
+    return _other;
+  }
   if (counters.overflows != 0) {
     return Finding::PolledTooSeldom;
   }
@@ -149,6 +177,9 @@ Finding Diagnosis::finding() const {
   }
   if (counters.discardedBytes > (counters.frames + 1) * GroupSizeMax) {
     return Finding::NoFrames;
+  }
+  if (_trial.pulseless != 0) {
+    return Finding::NoPulses;
   }
   if (counters.failsafeFrames != 0) {
     return Finding::Failsafe;

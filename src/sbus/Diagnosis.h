@@ -2,8 +2,8 @@
 /// Finds out what is wrong with a line, from what arrived with each port setting that was tried.
 ///
 ///   sbus::Diagnosis diagnosis;                      // a round: each setting is tried once
-///   diagnosis.add({100000, true, 500, counters});   // the expected setting first
-///   diagnosis.add({100000, false, 500, counters});
+///   diagnosis.add({100000, true, 500, counters, pulseless, other});   // the expected setting first
+///   diagnosis.add({100000, false, 500, counters, pulseless, other});
 ///   text(diagnosis.finding()), remedy(diagnosis.finding())
 ///   diagnosis.begin();                              // the next round
 #pragma once
@@ -15,18 +15,14 @@
 
 namespace sbus {
 
-/// A setting that was tried, and what a DecodeSBus32 has counted with it: with the counters of a DecodeSBus, frames with
-/// header 2F count as impaired. All trials of a round last equally long.
-struct Trial {
-  unsigned long baud;  ///< of the port
-  bool inverted;       ///< the port inverts
-  uint32_t ms;         ///< how long the port was polled; in 500 ms the slowest receiver known (25 Hz) sends 12 frames
-  Counters counters;   ///< since the port was opened with this setting
-};
-
 /// What is wrong with the line; of several faults, the one to fix first.
 enum class Finding : uint8_t {
   NoSignal,              ///< no byte with any setting
+  IBus,                  ///< packets of FlySky's i-BUS
+  Crsf,                  ///< of TBS's CRSF, which ExpressLRS sends
+  FPort,                 ///< of FrSky's F.Port
+  Sumd,                  ///< of Graupner's SUMD
+  Spektrum,              ///< of a Spektrum satellite
   NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax
   Channels24,            ///< no frames of 16 channels, but frames of 24, for a DecodeSBus24
   WrongPolarity,         ///< frames come with the opposite polarity
@@ -35,12 +31,29 @@ enum class Finding : uint8_t {
   PolledTooSeldom,       ///< the port's buffer overflowed
   InterruptsOff,         ///< the port lost bytes while interrupts were off (not noticed on an AVR)
   Noise,                 ///< more than one frame in a hundred is impaired
+  NoPulses,              ///< the receiver has lost the radio, and sends 0 without a flag
   Failsafe,              ///< the receiver is in failsafe
   NoRadio,               ///< more than half of the frames have the lost-frame flag, without failsafe
   Lossy,                 ///< more than a tenth of the frames have the lost-frame flag
   AllWellAndMore,        ///< no fault; more than a byte per frame belongs to no frame
   AllWell,               ///< no fault
 };
+
+/// A setting that was tried, and what a DecodeSBus32 has counted with it: with the counters of a DecodeSBus, frames with
+/// header 2F count as impaired. All trials of a round last equally long.
+struct Trial {
+  unsigned long baud;  ///< of the port
+  bool inverted;       ///< the port inverts
+  uint32_t ms;         ///< how long the port was polled; in 500 ms the slowest receiver known (25 Hz) sends 12 frames
+  Counters counters;   ///< since the port was opened with this setting
+  uint32_t pulseless;  ///< frames without a flag for which hasNoPulses() is true
+  Finding other;       ///< of OtherProtocols; 0 (NoSignal) without one
+};
+
+/// Returns true if CH1..CH4 are 0: as a receiver sends them that has lost the radio and is set to "no pulses".
+constexpr bool hasNoPulses(const uint16_t *channels) {
+  return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
+}
 
 /// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters.
 Text text(Finding finding);
@@ -78,6 +91,7 @@ class Diagnosis {
   unsigned long _meantBaud = 0;
   bool _meantInverted = false;
   bool _anyByte = false;
+  Finding _other = Finding::NoSignal;
   uint8_t _best = 0;
   uint8_t _count = 0;
 };

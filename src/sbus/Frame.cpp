@@ -120,8 +120,9 @@ void pack24(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount24> channel
 }
 
 bool Frame16NoPulses::isZero(const uint8_t *frame) {
-  uint8_t bits = 0;
-  for (uint8_t at = 1; at < Size - 2; at++) {
+  constexpr uint8_t Whole = 4 * 11 / 8;  // bytes; then half of one
+  uint8_t bits = frame[1 + Whole] & 0x0F;
+  for (uint8_t at = 1; at <= Whole; at++) {
     bits = static_cast<uint8_t>(bits | frame[at]);
   }
   return bits == 0;

@@ -187,17 +187,18 @@ struct Frame16Extra : Frame16 {
   static constexpr bool HasExtra = true;  ///< see Frame16
 };
 
-/// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and does not always set a flag:
-/// github.com/ArduPilot/ardupilot/issues/9400. These frames count as lost, and their channels are not handed out.
+/// Frame16 from a receiver that sends raw 0 for "no pulses", on all channels or on the first four, and does not always
+/// set a flag: github.com/ArduPilot/ardupilot/issues/9400, 25169. These frames count as lost, and their channels are
+/// not handed out.
 struct Frame16NoPulses : Frame16 {
   static constexpr bool Withholds = true;  ///< see Frame16
-  /// Returns true if CH1..CH16 of the frame are 0.
+  /// Returns true if CH1..CH4 of the frame are 0: below any end that a radio lets four sticks have.
   static bool isZero(const uint8_t *frame);
   /// Returns the flags of a frame.
   static uint8_t flags(const uint8_t *frame) {
     return static_cast<uint8_t>(Frame16::flags(frame) | (isZero(frame) ? FlagLostFrame : 0));
   }
-  /// Calls unpackAligned(), unless the channels are 0.
+  /// Calls unpackAligned(), unless CH1..CH4 are 0.
   static void unpack(const uint8_t *frame, uint16_t *channels) {
     if (!isZero(frame)) {
       unpackAligned(frame, channels);

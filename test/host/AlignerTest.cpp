@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "doctest/doctest.h"
@@ -62,7 +64,7 @@ TEST_CASE("sticks that rest for more than a minute, then move: the delay is foun
     Lines lines;
     lines.play(16000, 10000, 1000000, [delayUs](int) { return delayUs; });
     const line::Comparison::Counts &counts = lines.comparison.counts();
-    CHECK(lines.aligner.isByContents());
+    CHECK(lines.aligner.by() == line::DelayBy::Contents);
     CHECK(counts.different == 0);
     CHECK(counts.lost[0] == 0);
     CHECK(counts.lost[1] == 0);
@@ -161,4 +163,116 @@ TEST_CASE(
     CHECK(counts.lost[1] == 0);
     CHECK(std::abs(counts.delays.medianUs()) <= LatencyUs);
   }
+}
+
+namespace {
+
+// Two receivers of one radio, of which B was begun `laterUs` after A; each loses one frame in 200. Returns how far off
+// the delay is.
+int64_t errorOf(Lines &lines, int count, int64_t laterUs, const std::function<line::Values(int)> &valuesOf,
+                const std::function<bool(size_t side, int i)> &isLost) {
+  std::vector<line::Values> values;
+  for (int i = 0; i < count; i++) {
+    values.push_back(valuesOf(i));
+  }
+  lines.aligner.knownUntil(0, 0);
+  lines.aligner.knownUntil(1, 0);
+  for (int64_t us = 0; us < count * PeriodUs; us += PeriodUs) {  // the two clocks run side by side
+    for (const size_t side : {size_t{0}, size_t{1}}) {
+      const int i = static_cast<int>((us + (side == 0 ? 0 : laterUs)) / PeriodUs);
+      if (i < count && !isLost(side, i)) {
+        lines.aligner.put(side, 1000000 + us, values[static_cast<size_t>(i)]);
+      }
+    }
+  }
+  lines.aligner.finish();
+  lines.comparison.finish();
+  return std::abs(lines.comparison.counts().delays.medianUs() + laterUs / PeriodUs * PeriodUs);
+}
+
+}  // namespace
+
+TEST_CASE("sticks that move in one frame of a hundred, by a step or two: the delay is found, whichever began first") {
+  constexpr int Count = 6600;
+  const unsigned seed = 20181;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (const unsigned restValues : {2u, 3u, 7u}) {
+    for (const int64_t laterUs : {0, 900000, 6300000, 18000000, 29700000}) {
+      CAPTURE(restValues);
+      CAPTURE(laterUs);
+      line::Values values = valuesAt(0, 1);
+      std::array<std::set<int>, 2> lost;
+      for (auto &each : lost) {
+        for (int i = 0; i < Count / 200; i++) {
+          each.insert(static_cast<int>(random() % Count));
+        }
+      }
+      Lines lines;
+      const int64_t errorUs = errorOf(
+          lines, Count, laterUs,
+          [&](int) {
+            if (random() % 100 == 0) {
+              values.raw[random() % 2] = static_cast<uint16_t>(992 + random() % restValues);
+            }
+            return values;
+          },
+          [&](size_t side, int i) { return lost[side].count(i) > 0; });
+      CHECK(errorUs == 0);
+      CHECK(lines.aligner.by() == line::DelayBy::Contents);
+      CHECK(lines.aligner.isCertain());
+      CHECK(lines.comparison.counts().different == 0);
+    }
+  }
+}
+
+TEST_CASE("sticks that do not move: gaps that the wire and a port share tell the delay; without any, nothing does") {
+  for (const bool isShared : {true, false}) {
+    CAPTURE(isShared);
+    std::mt19937 random(20181);
+    std::array<std::set<int>, 2> lost;
+    for (int i = 0; i < 50; i++) {
+      lost[0].insert(static_cast<int>(random() % 3000));
+      lost[1].insert(static_cast<int>(random() % 3000));
+    }
+    Lines lines;
+    const int64_t errorUs = errorOf(
+        lines, 3000, 900000, [](int) { return valuesAt(0, 1); },
+        [&](size_t side, int i) { return lost[isShared ? 0 : side].count(i) > 0; });
+    CHECK((errorUs == 0) == isShared);
+    CHECK(lines.aligner.isCertain() == isShared);
+    CHECK(lines.aligner.by() == (isShared ? line::DelayBy::Losses : line::DelayBy::Times));
+    CHECK((lines.aligner.evidence().find("not certain") == std::string::npos) == isShared);
+  }
+}
+
+TEST_CASE("what was called different or lost before the delay was known is taken back, once it is known") {
+  Lines lines;
+  errorOf(
+      lines, 16000, 3000000,
+      [](int i) {
+        line::Values values = valuesAt(i, 10000);
+        values.raw[2] = static_cast<uint16_t>(i / 1500);
+        return values;
+      },
+      [](size_t, int i) { return i % 1000 == 0; });
+  const line::Comparison::Counts &counts = lines.comparison.counts();
+  CHECK(lines.aligner.by() == line::DelayBy::Contents);
+  CHECK(counts.different == 0);
+  CHECK(counts.lost[0] + counts.lost[1] == 0);
+  CHECK(counts.late[0] > 1000);
+}
+
+TEST_CASE("a stick that moves to and fro again and again: another delay would agree nearly as well, which is said") {
+  Lines lines;
+  errorOf(
+      lines, 3000, 0,
+      [](int i) {
+        line::Values values = valuesAt(0, 1);
+        values.raw[0] = static_cast<uint16_t>(992 + std::abs(i % 200 - 100));
+        return values;
+      },
+      [](size_t, int) { return false; });
+  CHECK_FALSE(lines.aligner.isCertain());
+  CHECK(lines.aligner.evidence().find("not certain") != std::string::npos);
 }

@@ -74,6 +74,9 @@ TEST_CASE("a condition holds for what it names, whatever the spelling, the blank
       {"ch17 && ok", with(Ch17, 1), moment()},
       {"failsafe", with(Moment::Failsafe, 1), with(Moment::LostFrame, 1)},
       {"failsafe", with(Moment::Failsafe, 1), with(Moment::State, state(sbus::LinkState::Failsafe))},
+      {"nopulses", with(Moment::NoPulses, 1), with(Moment::Failsafe, 1)},
+      {"No Pulses", with(Moment::NoPulses, 1), moment()},
+      {"failsafe || no pulses", with(Moment::NoPulses, 1), with(Moment::LostFrame, 1)},
       {"LOSTFRAME", with(Moment::LostFrame, 1), with(Moment::Failsafe, 1)},
       {"lost frame", with(Moment::LostFrame, 1), moment()},
       {"not lostframe", moment(), with(Moment::LostFrame, 1)},
@@ -123,7 +126,7 @@ TEST_CASE("a board's numbers are compared as they are printed") {
 
 TEST_CASE("an error names its place and what is expected there") {
   constexpr const char *name =
-      "a channel such as ch5, failsafe, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
+      "a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
   constexpr const char *sign = "<, <=, >, >=, = or != is expected";
   constexpr const char *value = "a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected";
   const std::string deep(40, '(');

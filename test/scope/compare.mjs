@@ -66,7 +66,7 @@ export default async function () {
     const earlier = ms(-found.delay_us);
     assert.equal(
       text,
-      `B is ${earlier} earlier than A (${ms(found.least_delay_us)} to ${ms(found.most_delay_us)}, drift ${found.drift_ppm.toFixed(1)} µs/s), by the contents. ` +
+      `B is ${earlier} earlier than A (${ms(found.least_delay_us)} to ${ms(found.most_delay_us)}, drift ${found.drift_ppm.toFixed(1)} µs/s), by ${found.evidence}. ` +
         `${found.same} frames alike, ${found.different} different; ${found.alone_a} only in A and ${found.alone_b} only in B before or after the other.`,
     );
     const median = parseFloat(earlier);
@@ -175,7 +175,7 @@ export default async function () {
       // A frame that is read late, by a PC that is busy with other tests, may be left out; it is no loss.
       const numbers = async () => {
         const text = await page.textContent('#second-text');
-        const [delay, alike = 0, different, onlyA, onlyB] = (/^B is ([\d.]+) ms later than A .* by the contents\. (\d+) frames alike, (\d+) different; (\d+) only in A and (\d+) only in B/.exec(text) ?? []).slice(1).map(Number);
+        const [delay, alike = 0, different, onlyA, onlyB] = (/^B is ([\d.]+) ms later than A .* by the contents: [^.]*\. (\d+) frames alike, (\d+) different; (\d+) only in A and (\d+) only in B/.exec(text) ?? []).slice(1).map(Number);
         const late = Number(/Not compared: (\d+) of A/.exec(text)?.[1] ?? 0);
         const [lostByA, lostByB] = [...(await page.textContent('#second-lists')).matchAll(/Lost by .: (\d+) frame/g)].map(([, count]) => Number(count));
         return { delay, alike, different, onlyA, onlyB, late, lostByA, lostByB };

@@ -70,7 +70,7 @@ export default async function () {
       const { frames, lost_frames, failsafe_frames, discarded_bytes, character_errors, from_us, to_us } = told.find(({ type }) => type === 'summary');
       assert.deepEqual([found.frames, found.lostFrames, found.failsafeFrames, found.discardedBytes, found.characterErrors, found.fromUs, found.toUs],
         [frames, lost_frames, failsafe_frames, discarded_bytes, character_errors, from_us, to_us], file);
-      ['failsafe', 'lost_frames', 'no_frames', 'late'].forEach((name, kind) => {
+      ['failsafe', 'no_pulses', 'lost_frames', 'no_frames', 'late'].forEach((name, kind) => {
         const spans = told.filter(({ type, kind: each }) => type === 'span' && each === name);
         const us = spans.reduce((sum, span) => sum + span.to_us - span.from_us, 0);
         assert.deepEqual([found.spans[kind].count, found.spans[kind].us], [spans.length, us], `${file}: ${name}`);
@@ -152,9 +152,9 @@ export default async function () {
   await check('one kind of fault is shown, and N and Shift+N go to faults of that kind', async (page) => {
     await play(page, file);
     await known(page);
-    await page.click('#fault-counts li:nth-child(3) button');
+    await page.click('#fault-counts li:nth-child(4) button');
     assert.equal(await page.textContent('#fault-counts [aria-pressed="true"]'), 'lost frames: 2 ×');
-    assert.deepEqual(await page.$$eval('#strip path:not(.bookmark)', (all) => all.map((each) => getComputedStyle(each).display !== 'none')), [false, true, false, false, false]);
+    assert.deepEqual(await page.$$eval('#strip path:not(.bookmark)', (all) => all.map((each) => getComputedStyle(each).display !== 'none')), [false, false, true, false, false, false]);
     await page.focus('#plot');
     await page.evaluate(() => document.querySelector('#play').textContent === 'Pause' && document.querySelector('#play').click());
     await page.fill('#position', '0');

@@ -20,6 +20,12 @@ player() {
   player=$!
   until_true has_terminal
 }
+# Sets `lasting` to a recording of the source: `send` waits for a reader without a limit, and then sends for SECONDS.
+record_for() {  # SECONDS SOURCE
+  lasting=$work/lasting.txt
+  rm -f "$lasting"
+  "$SBUS" record "$2" "$lasting" --simulated-time --seconds "$1" 2>"$work/lasting.err"
+}
 has_terminal() { read -r terminal <"$work/terminal"; } 2>/dev/null  # a whole line
 
 # has_lines COUNT FILE: it has as many, or more

@@ -135,8 +135,8 @@ sed -i 's/,[0-9]*,172/,6,172/' "$work/c.json"
 (sed 's/}$/,"start":"2026-11-24T09:50:00.000000Z"}/' "$work/head"; cat "$work/c.json") >"$work/c-dated.json"
 compare a-dated.json c-dated.json
 said "3000 3000 0 0 3000 0 0 0 delay 0 0 0 drift 0.0" "ten minutes between the beginnings, by their dates"
-grep -q '"by_contents":false' "$work/json"
-verdict $? "it says that the contents did not show the delay"
+grep -q '"by_contents":false,"certain":false' "$work/json"
+verdict $? "it says that the contents did not show the delay, and that it is not certain"
 
 # ---- The wire and a port, files and sources of other kinds
 
@@ -146,6 +146,18 @@ compare sim.txt sim.vcd
 read -r a b x y same rest <"$work/sum"
 [ "$a $b $same" = "1555 1555 1555" ]
 verdict $? "a recording and a capture of it are the same: $(cat "$work/sum")"
+# A capture of both: B is 1234 us later, and noise hits neither.
+awk -v OFS= 'FNR == NR { if (/^#/) us = substr($0, 2); else if (/^[01]!/) print us, " ", $0; next }
+  /^#/ { us = substr($0, 2) + 1234; next } /^[01]!/ { sub("!", "\""); print us, " ", $0 }' "$work/sim.vcd" "$work/sim.vcd" | sort -sn |
+  awk 'BEGIN { print "$timescale 1 us $end\n$var wire 1 ! WIRE $end\n$var wire 1 \" PORT $end\n$enddefinitions $end" }
+    { if ($1 != us) print "#" $1; us = $1; print $2 }' >"$work/two.vcd"
+compare two.vcd two.vcd --signal WIRE --signal-b PORT
+said "1555 1555 0 0 1555 0 0 0 delay 1234 1234 1234 drift 0.0" "two signals of one capture"
+compare two.vcd two.vcd --signal PORT --signal-b WIRE
+said "1555 1555 0 0 1555 0 0 0 delay -1234 -1234 -1234 drift 0.0" "the same, the other way round"
+compare sim.txt two.vcd --signal-b PORT
+[ "$(cut -d' ' -f 5 "$work/sum")" = 1555 ] && grep -q '"certain":true' "$work/json" || { cat "$work/sum" "$work/err"; false; }
+verdict $? "a recording and a signal of a capture: $(cat "$work/sum")"
 compare sim sim:noise=50 --simulated-time --seconds 14
 "$SBUS" hex sim:noise=50 --simulated-time --seconds 14 --json | grep -c '"type":"frame"' >"$work/noisy"
 read -r a b alone y same different by_a by_b rest <"$work/sum"
@@ -161,7 +173,7 @@ different    0 frames
 lost by A    0 frames in 0 spans
 lost by B    0 frames in 0 spans
 first        none
-delay        of B: median 0 us, 0 to 0 us, drift 0.0 us/s, found by the contents
+delay        of B: median 0 us, 0 to 0 us, drift 0.0 us/s, found by the contents: 1200 of 1200 agree
 END
 diff "$work/wanted" "$work/text"
 verdict $? "compare prints a text"
@@ -228,7 +240,7 @@ verdict $? "what a PC read late is no loss: $(cat "$work/sum")"
 for name in a b; do sed 's/ /~70000 /' "$work/late-$name.txt" | sed 's/~[0-9]*~70000/~70000/' >"$work/always-$name.txt"; done
 (cd "$work" && "$SBUS" compare always-a.txt always-b.txt) >"$work/out" 2>&1
 grep -qE '^same         2[89][0-9]{2} frames$' "$work/out" && grep -qE '^lost by B    0 frames' "$work/out" && grep -qE '^not compared [1-9][0-9]* of A, [1-9][0-9]* of B: the PC was late, or the delay not known yet$' "$work/out" &&
-  grep -qE '^delay .*, found by the contents; inaccurate, since the PC was late$' "$work/out" || { cat "$work/out"; false; }
+  grep -qE '^delay .*, found by the contents: [0-9]+ of [0-9]+ agree; inaccurate, since the PC was late$' "$work/out" || { cat "$work/out"; false; }
 verdict $? "two recordings of a PC that was always late have frames in common: $(grep -o '.*not compared.*' "$work/out")"
 
 # ---- Memory
@@ -271,5 +283,7 @@ sim|B is required
 - -|-: cannot be read twice; name another source
 sim.txt bytes.txt|sbus compare: bytes.txt: has no times; a port, a recording or a capture is expected
 sim.txt no-such.txt|sbus compare: no-such.txt: cannot be opened (No such file or directory); the name of a recording is expected
+two.vcd two.vcd --signal-b OTHER|sbus compare: two.vcd: there is no signal OTHER: one of WIRE, PORT is expected
+sim.txt sim.txt --signal-b PORT|sbus compare: --signal: is for a capture of several signals; leave it out for sim.txt
 sim.txt c.json|sbus compare: sim.txt and c.json have no frame in common
 END

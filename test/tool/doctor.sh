@@ -119,3 +119,31 @@ kill $owner $player
 rm -r "$folder"
 "$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'
 verdict $? "doctor says that a port does not exist"
+
+# ---- A port with another protocol: its packets at their own pace
+
+cat >"$work/other.py" <<'END'
+import os, pty, subprocess, sys, threading, time, tty
+master, slave = pty.openpty()
+tty.setraw(slave)
+packet = bytes.fromhex(sys.argv[2])
+running = True
+def write():
+    while running:
+        os.write(master, packet)
+        time.sleep(0.007)
+writer = threading.Thread(target=write)
+writer.start()
+program = subprocess.run([sys.argv[1], "doctor", os.ttyname(slave)], capture_output=True, text=True)
+running = False
+writer.join()
+print(program.returncode, *program.stdout.split("\n")[-4:-2])
+END
+while IFS='|' read -r packet wanted; do
+  got=$(timeout 60 python3 "$work/other.py" "$SBUS" "$packet" 2>&1)
+  case $got in "1 "*"$wanted"*) true ;; *) echo "$got"; false ;; esac
+  verdict $? "doctor of a port with other packets: $got"
+done <<'END'
+20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3|Not S.Bus: the receiver sends i-BUS, FlySky's protocol.
+C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41|Not S.Bus: the receiver sends CRSF
+END

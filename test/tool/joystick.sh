@@ -79,7 +79,8 @@ END
 ramp=$(for n in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do printf 'ch%d=%d00 ' $n $n; done)
 while IFS='|' read -r options values axes buttons; do
   # shellcheck disable=SC2086  # they are words
-  player send $(eval echo $values) --seconds 0.4
+  record_for 0.4 "$(eval echo $values | tr ' ' ,)"
+  player send "$lasting"
   rm -f "$UINPUT_LOG"
   # shellcheck disable=SC2046,SC2086
   joystick "$terminal" --failsafe hold $(eval echo $options)
@@ -149,7 +150,8 @@ for channels in 24 32; do
 done
 
 # An adapter that is unplugged, and plugged in again.
-player send ch1=1811 ch3=1811 --seconds 1
+record_for 1 ch1=1811,ch3=1811
+player send "$lasting"
 ln -sf "$terminal" "$work/adapter"
 rm -f "$UINPUT_LOG"
 LD_PRELOAD="$preload" "$SBUS" joystick "$work/adapter" --latency 2>"$work/err" &
@@ -200,7 +202,8 @@ verdict $? "joystick --calibration rejects a folder: $(cat "$work/err")"
 
 # ---- Latency
 
-player send sim --seconds 2
+record_for 2 sim
+player send "$lasting"
 joystick "$terminal" --latency
 kill "$player" 2>/dev/null
 wait "$player"
@@ -235,7 +238,8 @@ if ! [ -c /dev/uinput ] || ! [ -w /dev/uinput ]; then
   echo "skipped sbus: joystick at the kernel's own /dev/uinput: there is none here that may be opened"
   exit
 fi
-player send ch1=1811 ch3=1811 ch9=1811 --seconds 3
+record_for 3 ch1=1811,ch3=1811,ch9=1811
+player send "$lasting"
 "$SBUS" joystick "$terminal" 2>"$work/err" &
 reader=$!
 until_true grep -q . "$work/err"

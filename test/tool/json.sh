@@ -52,9 +52,9 @@ def check(line):
     kind = object.get("type")
     states.add(object.get("state"))
     for name, value in object.items():
-        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file", "by", "only") else
+        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file", "by", "only", "evidence") else
                     list if name in ("channels", "us", "percent", "values", "data", "range") else
-                    bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission", "by_contents", "late_delay") else
+                    bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission", "by_contents", "certain", "late_delay") else
                     (int, float))
         if not isinstance(value, expected) or (expected != bool and isinstance(value, bool)):
             wrong.append("%s of %s is %r" % (name, kind, value))

@@ -252,7 +252,8 @@ done
 verdict $? "a full disk is an error, and the recording is complete up to that point"
 
 # An adapter's name in /dev/serial/by-id is a link, which comes back with the adapter.
-player send sim --seconds 1
+record_for 1 sim
+player send "$lasting"
 ln -sf "$terminal" "$work/adapter"
 first=$player
 "$sbus" record "$work/adapter" "$work/replugged.txt" 2>"$work/replugged.err" &
@@ -269,7 +270,8 @@ rm "$work/adapter"  # a library has no links, not even in build/
 kill -INT "$player"
 wait "$player"
 
-player send sim --seconds 1
+record_for 1 sim
+player send "$lasting"
 timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}$' "$work/out")" -ge 2 ]
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
@@ -289,7 +291,7 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-for part in wire hex files kinds counts send bridge stalls watch compare json summary stream systems telemetry languages calibrate \
+for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
 done

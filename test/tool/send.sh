@@ -46,7 +46,8 @@ constant 125 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 4 --baud 200000
 STOP=1000 sent ch1=1000 && [ "$(sort -u "$work/rows")" = "1000,992,172,992,$rest,0,0,0,0" ] && [ "$(wc -l <"$work/rows")" -ge 40 ]
 verdict $? "send ends with Ctrl-C"
 
-player send ch1=1000 --seconds 0.5
+record_for 0.5 ch1=1000
+player send "$lasting"
 "$SBUS" record "$terminal" "$work/terminal.txt" 2>"$work/note" && wait $player &&
   grep -v '^#' "$work/terminal.txt" | tr ' ' '\n' | grep -vc '~\|...' | grep -qx 1400
 verdict $? "send without a port creates a pseudo-terminal"

@@ -53,6 +53,7 @@ class Receiver(threading.Thread):
         self.at_once = at_once
         self.times = []
         self.silent = False
+        self.is_silent = threading.Event()
 
     def run(self):
         due = time.monotonic()
@@ -60,6 +61,7 @@ class Receiver(threading.Thread):
             due = max(due + 0.009 * self.at_once, time.monotonic())
             time.sleep(max(0, due - time.monotonic()))
             if self.silent:
+                self.is_silent.set()
                 continue
             now = time.monotonic()
             count = len(self.times)
@@ -79,13 +81,14 @@ class Device(threading.Thread):
         self.name_ = os.ttyname(self.slave)
         self.size, self.period = size, period
         self.paused = threading.Event()
+        self.gone = threading.Event()
         self.came = b""
         self.frames = []  # time, number, flags
         self.cut = 0
         self.on_frame = None
 
     def run(self):
-        while True:
+        while not self.gone.is_set():
             if self.period:
                 time.sleep(self.period)
             if not select.select([self.master], [], [], 0.02)[0] or self.paused.is_set():
@@ -123,7 +126,9 @@ class Chain:
         for stage in stages:
             words = [{"PORT": self.receiver.name_, "DEV": self.device.name_, "SBUS": sys.argv[1]}.get(word, word) for word in stage]
             last = stage is stages[-1]
-            self.stages.append(subprocess.Popen(words, stdin=self.stages[-1].stdout if self.stages else subprocess.DEVNULL,
+            preload = os.environ.get("SBUS_PRELOAD") if stage[0] == "SBUS" else None
+            env = dict(os.environ, LD_PRELOAD=preload) if preload else None
+            self.stages.append(subprocess.Popen(words, env=env, stdin=self.stages[-1].stdout if self.stages else subprocess.DEVNULL,
                                                 stdout=subprocess.DEVNULL if last else subprocess.PIPE, stderr=self.errors))
             if len(self.stages) > 1:
                 self.stages[-2].stdout.close()
@@ -203,6 +208,48 @@ def kill(chain, member):
     return chain.figures() and status == 1 and last == 12 and "ended before its line did" in text
 
 
+def vanish(chain):
+    """The receiver's end is unplugged: reads fail with EIO."""
+    chain = Chain(CHAINS[chain])
+    chain.receiver.silent = True
+    chain.receiver.is_silent.wait()
+    os.close(chain.receiver.slave)
+    os.close(chain.receiver.master)
+    until("the end of the last program", lambda: chain.stages[-1].poll() is not None)
+    until("the last bytes", lambda: not select.select([chain.device.master], [], [], 0)[0])
+    status = chain.stages[-1].returncode
+    last = chain.device.frames[-1][2]
+    chain.end()
+    text = chain.said().strip().split("\n")[-1]
+    print("status %d, last flags %02X, %s: " % (status, last, text), end="")
+    return chain.figures() and status == 1 and last == 12 and "ended before its line did" in text
+
+
+def lose(chain):
+    """The device is unplugged: writes fail with EIO, and it cannot come back."""
+    chain = Chain(CHAINS[chain])
+    chain.device.gone.set()
+    chain.device.join()
+    for end in (chain.device.slave, chain.device.master):
+        os.close(end)
+    until("the end of the last program", lambda: chain.stages[-1].poll() is not None)
+    status = chain.stages[-1].returncode
+    chain.end()
+    text = chain.said().strip().split("\n")[-1]
+    print("status %d, %s: " % (status, text), end="")
+    return chain.figures() and status == 1 and "no program reads it any longer" in text
+
+
+def goes_on(chain, frames):
+    """Nothing is stopped, but the date jumps: see Faults.cpp. A clock that went with it would see frames of the future."""
+    chain = Chain(CHAINS[chain])
+    count = len(chain.device.frames)
+    chain.waits_for_line(frames)
+    chain.end()
+    flagged = sum(flags == 12 for _, _, flags in chain.device.frames[count:])
+    return chain.figures() and flagged < frames / 4 and "another PC's clock" not in chain.said()
+
+
 def queue():
     """SIGSTOP while a frame waits for the gap after the one before it."""
     device = Device()
@@ -272,6 +319,6 @@ def times(*arguments):
     return back == 0 and read > 0.9 * len(came) and reader.returncode == 0
 
 
-cases = {"times": times, "stop": stop, "kill": kill, "queue": queue, "full": full, "slow": slow}
+cases = {"times": times, "stop": stop, "kill": kill, "vanish": vanish, "lose": lose, "goes_on": goes_on, "queue": queue, "full": full, "slow": slow}
 words = sys.argv[2:]
 sys.exit(not cases[words[0]](*[int(word) if word.isdigit() else word for word in words[1:]]))

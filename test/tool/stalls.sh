@@ -43,4 +43,12 @@ kill fly 1|a program between bridge and send is killed
 kill jq 0|hex of three programs is killed
 kill jq 1|jq of three programs is killed
 kill cat 0|the writer of bytes is killed
+vanish bridge|the receiver of bridge vanishes
+vanish send|the receiver of send vanishes
+vanish jq|the receiver of three programs vanishes
+vanish record|the receiver of record, for send, vanishes
+vanish cat|the writer of bytes loses its receiver
+lose bridge|the device of bridge vanishes
+lose send|the device of send vanishes
+lose jq|the device of three programs vanishes
 END

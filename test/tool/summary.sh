@@ -150,3 +150,14 @@ verdict $? "monitor --from begins at that time"
 verdict $? "monitor --from --to prints a line a second"
 "$SBUS" hex "$work/sim.txt" --from 11 2>&1 >"$work/out" | cmp - /dev/null
 verdict $? "--from of a file reports no silence"
+
+# ---- Raw 0 without a flag, for a second
+
+awk 'BEGIN { for (i = 0; i < 400; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%s992,992,992,992,992,992,992,992,992,992,992,992]}\n", 9000 * i + 4000, (i >= 200 && i < 311 ? "0,0,0,0," : "992,992,172,992,") }' >"$work/pulses.json"
+"$SBUS" summary "$work/pulses.json" >"$work/out" && grep -A 1 '^no pulses' "$work/out" | paste -sd ' ' | grep -qx 'no pulses    1 time, 0.999 s in all          1.804 s to      2.803 s      0.999 s' &&
+  "$SBUS" summary "$work/pulses.json" --json | grep -qx '{"type":"span","kind":"no_pulses","from_us":1804000,"to_us":2803000}' &&
+  "$SBUS" summary "$work/pulses.json" --html - | grep -q 'No pulses (0 on CH1 to CH4, without a flag) 1 time, 1.0 s in all' || { cat "$work/out"; false; }
+verdict $? "summary lists 0 on CH1 to CH4 without a flag: $(grep -A 1 '^no pulses' "$work/out" | tr -s ' ')"
+(cd "$work" && "$SBUS" watch pulses.json --when nopulses --record pulses --before 0 --after 0 --json) >"$work/out" 2>"$work/err"
+[ "$(sed -n 's/.*"event","time_us":\([0-9]*\).*"kind":"\([a-z]*\)".*/\1 \2/p' "$work/out" | paste -sd ,)" = "1804000 begin,2803000 end" ] || { cat "$work/out" "$work/err"; false; }
+verdict $? "watch --when nopulses records them"

@@ -63,7 +63,7 @@ while IFS='|' read -r condition message; do
   [ $? -eq 2 ] && [ "$(head -n 1 "$work/err")" = "--when: \"$condition\": at character $message is expected" ] && [ ! -d "$work/none" ] || { cat "$work/err"; false; }
   verdict $? "--when \"$condition\": at character $message is expected"
 done <<'END'
-|1 a channel such as ch5, failsafe, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
+|1 a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
 failsafe && ch33>1|13 a channel from ch1 to ch32
 ch5|4 <, <=, >, >=, = or !=
 ch5 > 3000|7 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,
@@ -71,7 +71,7 @@ ch5>|5 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,
 (failsafe|10 &&, || or )
 failsafe)|9 &&, || or the end
 failsafe & ok|10 &&, || or the end
-!|2 a channel such as ch5, failsafe, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
+!|2 a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
 age>soon|5 a time such as 50ms or 0.05, in seconds,
 quality<x|9 a number of percent
 END
@@ -95,7 +95,8 @@ for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1; d
 seq 290 1000 | diff - "$work/values" && [ "$(grep -c continued "$work/out")" -eq 3 ]
 verdict $? "a long event continues in other files, without a gap: $(ls "$work/dir" | wc -l) files"
 
-player send sim --seconds 14
+record_for 14 sim
+player send "$lasting"
 "$SBUS" watch "$terminal" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
 wait "$player"
 file=$(ls "$work"/dated/*)

@@ -19,6 +19,8 @@ using sbus::Trial;
 // What came with a setting, each number by its name.
 struct Came {
   Counters counters = {};
+  uint32_t pulseless = 0;
+  Finding protocol = Finding::NoSignal;
 
   static Came frames(uint32_t count) { return Came().with(&Counters::frames, count); }
   static Came bytes(uint32_t count) { return Came().skipped(count); }
@@ -32,6 +34,16 @@ struct Came {
   Came overflows(uint32_t count) const { return with(&Counters::overflows, count); }
   Came shortfalls(uint32_t count) const { return with(&Counters::shortfalls, count); }
   Came other(uint32_t count) const { return with(&Counters::otherSizeFrames, count); }
+  Came of(Finding other) const {
+    Came came = *this;
+    came.protocol = other;
+    return came;
+  }
+  Came withoutPulses(uint32_t count) const {
+    Came came = *this;
+    came.pulseless = count;
+    return came;
+  }
   Came extra(uint32_t count) const { return with(&Counters::extraFrames, count); }
 
  private:
@@ -48,10 +60,13 @@ const Came Good = Came::frames(55);
 
 // Half a second with the settings in the order in which a sketch tries them. The first is the expected one.
 Diagnosis diagnosisOf(const std::vector<Came> &came, uint32_t ms = 500) {
-  Trial trials[] = {{100000, true, ms, {}}, {200000, true, ms, {}}, {100000, false, ms, {}}, {200000, false, ms, {}}};
+  Trial trials[] = {
+      {100000, true, ms, {}, 0, {}}, {200000, true, ms, {}, 0, {}}, {100000, false, ms, {}, 0, {}}, {200000, false, ms, {}, 0, {}}};
   Diagnosis diagnosis;
   for (size_t i = 0; i < came.size(); i++) {
     trials[i].counters = came[i].counters;
+    trials[i].pulseless = came[i].pulseless;
+    trials[i].other = came[i].protocol;
     diagnosis.add(trials[i]);
   }
   return diagnosis;
@@ -114,6 +129,13 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
       {"10 beside 990 damaged", {Came::frames(990).byEnd(30).skipped(10 * 24).resyncs(10)}, Finding::AllWell, 0},
       {"11 beside 990 damaged", {Came::frames(990).byEnd(30).skipped(11 * 24).resyncs(11)}, Finding::Noise, 0},
       {"damaged, and failsafe", {Came::frames(50).byEnd(15).skipped(124).resyncs(5).failsafe(50)}, Finding::Noise, 0},
+      {"packets of another protocol", {Noise.of(Finding::Crsf), Noise}, Finding::Crsf, 0},
+      {"packets of another protocol, with the last setting", {Noise, Noise, Noise.of(Finding::IBus)}, Finding::IBus, 0},
+      {"frames of S.Bus come before another protocol", {Good.of(Finding::Sumd)}, Finding::AllWell, 0},
+      {"0 on CH1 to CH4", {Good.withoutPulses(55)}, Finding::NoPulses, 0},
+      {"0 on CH1 to CH4, for a frame", {Good.withoutPulses(1)}, Finding::NoPulses, 0},
+      {"no pulses come before failsafe", {Good.withoutPulses(20).failsafe(20)}, Finding::NoPulses, 0},
+      {"a wrong setting comes before no pulses", {Noise, Good.withoutPulses(55)}, Finding::WrongBaud, 1},
       {"failsafe without lost frames", {Good.failsafe(55)}, Finding::Failsafe, 0},
       {"failsafe for a while", {Good.failsafe(1)}, Finding::Failsafe, 0},
       {"28 of 55 lost", {Good.lost(28)}, Finding::NoRadio, 0},
@@ -162,10 +184,10 @@ TEST_CASE("begin() forgets the round before") {
   CHECK(diagnosis.finding() == Finding::NoSignal);
   CHECK(diagnosis.best() == 0);
   CHECK(diagnosis.seen().frames == 0);
-  diagnosis.add({100000, false, 500, Good.counters});
+  diagnosis.add({100000, false, 500, Good.counters, 0, {}});
   CHECK(diagnosis.finding() == Finding::AllWell);
   diagnosis.begin();
-  diagnosis.add({100000, false, 500, Nothing.counters});
+  diagnosis.add({100000, false, 500, Nothing.counters, 0, {}});
   CHECK(diagnosis.finding() == Finding::NoSignal);
 }
 

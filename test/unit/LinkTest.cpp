@@ -253,7 +253,7 @@ TEST_CASE("frames that waited while the loop was blocked are as old as they can 
   }
 }
 
-TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost one; DecodeSBus returns it") {
+TEST_CASE("DecodeSBusNoPulses takes a frame in which CH1 to CH4 are 0 for a lost one; DecodeSBus returns it") {
   const struct {
     const char *what;
     std::vector<uint16_t> channels;  // CH1.., the others 0
@@ -265,7 +265,9 @@ TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost 
       {"all 0, CH17 on", {}, 1, LinkState::Lossy, LinkState::Failsafe},
       {"all 0 and failsafe", {}, Failsafe, LinkState::Failsafe, LinkState::Failsafe},
       {"CH1 is 1", {1}, 0, LinkState::Ok, LinkState::Ok},
-      {"CH16 is 1024", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1024}, 0, LinkState::Ok, LinkState::Ok},
+      {"CH4 is 1024", {0, 0, 0, 1024}, 0, LinkState::Ok, LinkState::Ok},
+      {"CH5 is 1", {0, 0, 0, 0, 1}, 0, LinkState::Lossy, LinkState::Failsafe},
+      {"CH5 and CH16", {0, 0, 0, 0, 2047, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1024}, 0, LinkState::Lossy, LinkState::Failsafe},
       {"sticks and failsafe", {992, 992, 172}, Failsafe, LinkState::Failsafe, LinkState::Failsafe},
   };
   for (const auto &row : rows) {
@@ -288,7 +290,7 @@ TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost 
     next(PaperLow.bytes);
     REQUIRE(board.decode().channels == PaperLow.channels);
     next(frame);
-    const bool isZero = row.channels.empty();
+    const bool isZero = std::all_of(values.begin(), values.begin() + 4, [](uint16_t raw) { return raw == 0; });
     CHECK(board.sbus.linkState() == row.state);
     CHECK(board.decode().lostFrame == isZero);
     CHECK(board.decode().channels == (isZero ? Untouched : values));

@@ -14,6 +14,7 @@ lines() {
     neutral = "F8 C0 07 3E F0 81 0F 7C E0 03 1F"  # eight channels of 992
     sixteen = "0F E5 03 1F " neutral " F8 C0 07 3E F0 81 0F 7C"
     twentyfour = "0F E5 03 1F " neutral " " neutral " F8 C0 07 3E F0 81 0F 7C"
+    zero = "00 00 00 00 00 00 00 00 00 00 00"  # eight channels
     futaba = "0F E9 03 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00"
     split("04 14 24 34", ends, " ")
     periodUs = kind ~ /^(sbus2|r7003sb|other)$/ ? 15000 : 9000
@@ -25,8 +26,13 @@ lines() {
         if (count % 4 == 0) print us + 5000, "03 C0 2E"
       } else if (kind == "r7003sb") print us, futaba, "08 00 03 C0 33 00"
       else if (kind == "other") print us, "55 AA 01 02 03 04 05 06"
+      else if (kind == "ibus") print us, "20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3"
+      else if (kind == "crsf") print us, "C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41"
       else if (kind == "24") print us, twentyfour, "00 00"
       else if (kind == "failsafe") print us, sixteen, "0C 00"
+      else if (kind == "no-pulses") print us, "0F", zero, zero, "00 00"
+      else if (kind == "four-zero") print us, "0F 00 00 00 00 00 00 C0 07 3E F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 00 00"
+      else if (kind == "zero-failsafe") print us, "0F", zero, zero, "08 00"
       else if (kind == "no-radio") print us, sixteen, "04 00"
       else if (kind == "half") print us, substr(sixteen, 1, 3 * 12)
       else if (kind != "cut" || count < 4 || us > 2991000) print us, sixteen, "00 00"  # cut for all but three frames
@@ -61,7 +67,7 @@ at_adapter() {
     END { packet(timer) }'
 }
 
-for kind in fast gap failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
+for kind in fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
 head -n 3 "$folder/good.txt" >"$folder/one.txt"

@@ -28,6 +28,7 @@ Receiver::Receiver(const SourceOption &option)
 Bridge::Bridge(BridgeOptions &options, Receiver &first, Receiver *second, const std::string &to)
     : _options(options),
       _receivers{&first, second},
+      _to(to),
       _output(to, first.input->settings()),
       _choice(static_cast<uint64_t>(options.backS * 1e6)),
       _isText(to == "-"),
@@ -63,6 +64,9 @@ void Bridge::run() {
     std::fprintf(stderr, "%s\n", first.latency.text("frame").c_str());
   }
   flush();
+  if (_output.isGone()) {
+    throw std::runtime_error(_to + ": no program reads it any longer; start the reader, then this again");
+  }
   if (isBroken()) {
     throw std::runtime_error(first.source.name() +
                              " ended before its line did: the program that writes it is gone; start it again");
@@ -102,6 +106,14 @@ void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
   receiver.silence.tick(nowUs, receiver.observer.counters().frames > 0);
   receiver.latency.tick();
   const bool waits = _output.tick();
+  if (_output.isGone()) {
+    for (Receiver *const each : _receivers) {
+      if (each != nullptr) {
+        each->input->end();
+      }
+    }
+    return;
+  }
   if (fill(nowUs) || waits) {
     receiver.input->hurry();
   }

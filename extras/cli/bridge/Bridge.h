@@ -52,7 +52,7 @@ class Bridge {
   Bridge &operator=(const Bridge &) = delete;
 
   // See Destination.
-  bool waitForReader() const { return _output.waitForReader(); }
+  bool waitForReader() const { return _output.waitForReader(_receivers[0]->input->seconds()); }
 
   // Forwards frames until the receivers end. Throws std::runtime_error, also if a live line ends that should not.
   void run();
@@ -69,6 +69,7 @@ class Bridge {
 
   BridgeOptions &_options;
   Receiver *const _receivers[2];
+  const std::string _to;
   FrameOutput _output;
   TwoReceivers _choice;
   const bool _isText;

@@ -20,9 +20,9 @@ constexpr uint64_t OldUs = 100000;
 constexpr uint64_t AheadUs = 10000;  // no clock of this PC is further ahead
 constexpr microseconds Gap(2000);
 constexpr milliseconds Patience(100);  // what a port has held for so long is discarded
-constexpr milliseconds AskAfter(5);  // less than a frame period
+constexpr milliseconds AskAfter(1);
 constexpr milliseconds AskAfterMost(1600);
-constexpr milliseconds AskEvery(4);
+constexpr microseconds AskEvery(300);
 constexpr size_t FlagsAndEnd = 2;  // the last bytes of a frame
 
 }  // namespace

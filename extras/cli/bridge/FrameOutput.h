@@ -38,7 +38,10 @@ class FrameOutput {
   static bool mayLeave(uint64_t sinceUs);
 
   // See Destination.
-  bool waitForReader() const { return !_destination || _destination->waitForReader(); }
+  bool waitForReader(double seconds) const { return !_destination || _destination->waitForReader(seconds); }
+
+  // See Destination.
+  bool isGone() const { return _destination && _destination->isGone(); }
 
   // Sends a frame at once; on a wire, not before 2 ms after the previous frame's end, since receivers find a frame by
   // the gap before it, and not before the previous frame has left. A newer frame of the same kind replaces a waiting

@@ -57,7 +57,8 @@ std::string json(const LostSpan &span) {
       .line();
 }
 
-std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, bool isByContents) {
+std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names,
+                 const line::Aligner &aligner) {
   const Comparison::Counts &counts = comparison.counts();
   std::string text;
   for (const size_t side : {size_t{0}, size_t{1}}) {
@@ -82,11 +83,11 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
                              static_cast<long long>(counts.delays.medianUs()),
                              static_cast<long long>(counts.delays.leastUs()),
                              static_cast<long long>(counts.delays.mostUs()), counts.delays.driftPpm(),
-                             isByContents ? "the contents" : "the times alone",
+                             aligner.evidence().c_str(),
                              counts.areDelaysLate ? "; inaccurate, since the PC was late" : "");
 }
 
-std::string json(const line::Comparison &comparison, bool isByContents) {
+std::string json(const line::Comparison &comparison, const line::Aligner &aligner) {
   const Comparison::Counts &counts = comparison.counts();
   Json json("comparison");
   json.number("frames_a", uint64_t{counts.frames[0]}).number("frames_b", uint64_t{counts.frames[1]});
@@ -98,7 +99,9 @@ std::string json(const line::Comparison &comparison, bool isByContents) {
       .decimal("least_delay_us", static_cast<double>(counts.delays.leastUs()))
       .decimal("most_delay_us", static_cast<double>(counts.delays.mostUs()))
       .decimal("drift_ppm", counts.delays.driftPpm())
-      .flag("by_contents", isByContents)
+      .flag("by_contents", aligner.by() == line::DelayBy::Contents)
+      .flag("certain", aligner.isCertain())
+      .text("evidence", aligner.evidence())
       .flag("late_delay", counts.areDelaysLate);
   if (!counts.first) {
     return json.line();

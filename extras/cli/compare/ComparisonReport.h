@@ -10,8 +10,9 @@ namespace tool {
 
 std::string json(const line::LostSpan &span);
 
-// `names`: the sources'. `isByContents`: see Aligner.
-std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, bool isByContents);
-std::string json(const line::Comparison &comparison, bool isByContents);
+// `names`: the sources'. `aligner`: found the pairs.
+std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names,
+                 const line::Aligner &aligner);
+std::string json(const line::Comparison &comparison, const line::Aligner &aligner);
 
 }  // namespace tool

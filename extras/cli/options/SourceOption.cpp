@@ -84,6 +84,15 @@ SourceOption::SourceOption(const SourceOption &first, const std::string &word) :
   }
 }
 
+SourceOption::SourceOption(const SourceOption &first, const std::string &word, const Option &given,
+                           const std::string &signal)
+    : SourceOption(first, word) {
+  if (given.given()) {
+    _given.signal = given;
+    _given.overrides.signal = signal;
+  }
+}
+
 const SourceOption::Parsed &SourceOption::parsed() const {
   if (!_parsed) {
     Parsed parsed = parse();

@@ -31,6 +31,8 @@ class SourceOption {
   // A second source, named by another option or argument, with the options of `first`. Create it after the command line
   // has been read.
   SourceOption(const SourceOption &first, const std::string &word);
+  // The same; `signal`, if given, is its own.
+  SourceOption(const SourceOption &first, const std::string &word, const Option &given, const std::string &signal);
   SourceOption(const SourceOption &) = delete;
   SourceOption &operator=(const SourceOption &) = delete;
 

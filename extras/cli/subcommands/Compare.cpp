@@ -20,6 +20,8 @@ struct Options {
 
   SourceOption a;
   std::string b;
+  Option signalOption;
+  std::string signal;  // of b
   bool json = false;
 };
 
@@ -68,7 +70,7 @@ int64_t laterUs(const SourceOption &a, const SourceOption &b) {
 
 void run(const Options &options) {
   const SourceOption &a = options.a;
-  const SourceOption b(a, options.b);
+  const SourceOption b(a, options.b, options.signalOption, options.signal);
   line::Comparison comparison([&options](const line::LostSpan &span) {
     if (options.json) {
       write(json(span));
@@ -92,8 +94,7 @@ void run(const Options &options) {
   if (!comparison.any()) {
     throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common");
   }
-  write(options.json ? json(comparison, aligner.isByContents())
-                     : text(comparison, {a.name(), b.name()}, aligner.isByContents()));
+  write(options.json ? json(comparison, aligner) : text(comparison, {a.name(), b.name()}, aligner));
   flush();
 }
 
@@ -104,6 +105,9 @@ void addCompare(CLI::App &app) {
                         "compares two receivers, or wire and port: losses, delay, the first difference");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("B", options->b, "the other source").required().notEmpty().type("");
+  options->signalOption = subcommand.option("--signal-b", options->signal, "the signal of B, if --signal is that of A")
+                              .notEmpty()
+                              .type("NAME");
   subcommand.flag("--json", options->json, "JSON lines");
   subcommand.footer(
       "It prints when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A source has lost a "

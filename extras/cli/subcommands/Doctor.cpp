@@ -18,7 +18,9 @@ namespace tool {
 
 namespace {
 
-// All settings together take less than two seconds.
+constexpr unsigned long CrsfBaud = 420000;  // i-BUS, F.Port, SUMD and Spektrum have 115200, as a sketch's rows
+
+// All settings together take two seconds.
 constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest known receiver (25 Hz)
 constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
 constexpr uint64_t FramesUs = 1500000;  // if the first setting has frames: more frames to judge by
@@ -41,6 +43,8 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   all.push_back(settings);
   if (!source.isWire()) {
     all.push_back(line::csvSettings());
+    all.push_back(line::csvSettings());
+    all.back().baud = CrsfBaud;
     return all;
   }
   for (const size_t i : {size_t{0}, size_t{1}}) {

@@ -240,7 +240,8 @@ void run(const SourceOption &source, const HexOptions &options, const ChannelFor
              });
   observer.finish();
   held.finish();
-  if (options.json) {
+  const bool isCut = source.isLive() && !source.isStream() && input->isBroken();  // a program that reads it must know
+  if (options.json && !isCut) {
     writeJsonEnd(observer);
   }
   flush();

@@ -32,11 +32,13 @@ struct Listed {
   line::FlagSpan::Kind kind;
   const char *name;
   const char *type;
+  bool isRare;  // not listed if there is none
 };
-constexpr Listed AllListed[] = {{line::FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
-                                {line::FlagSpan::Kind::LostFrame, "lost frames", "lost_frames"},
-                                {line::FlagSpan::Kind::NoFrames, "no frames", "no_frames"},
-                                {line::FlagSpan::Kind::Late, "PC late", "late"}};
+constexpr Listed AllListed[] = {{line::FlagSpan::Kind::Failsafe, "failsafe", "failsafe", false},
+                                {line::FlagSpan::Kind::NoPulses, "no pulses", "no_pulses", true},
+                                {line::FlagSpan::Kind::LostFrame, "lost frames", "lost_frames", false},
+                                {line::FlagSpan::Kind::NoFrames, "no frames", "no_frames", false},
+                                {line::FlagSpan::Kind::Late, "PC late", "late", true}};
 
 std::string text(const char *name, const std::vector<line::FlagSpan> &spans) {
   if (spans.empty()) {
@@ -68,7 +70,7 @@ std::string textOf(const line::FlightLog &flight) {
       line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs()), seconds(flight.lastUs()));
   for (const Listed &each : AllListed) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
-    text += all.empty() && each.kind == line::FlagSpan::Kind::Late ? "" : tool::text(each.name, all);
+    text += all.empty() && each.isRare ? "" : tool::text(each.name, all);
   }
   unsigned long most = 1;
   for (const auto &[ms, count] : flight.intervals()) {
@@ -180,7 +182,7 @@ void addSummary(CLI::App &app) {
           .type("FILE.html");
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no frames: 0.1 s or more. PC late: a port was read 0.1 s late or "
+      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. PC late: a port was read 0.1 s late or "
       "more, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });
 }

@@ -2,21 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "line/Format.h"
 
 namespace line {
 
 namespace {
 
+constexpr int64_t Ended = INT64_MAX / 2;  // up to when a side is known that has ended
 constexpr int64_t WindowUs = 50000;  // how far the delay may jump: a period of the slowest receiver, a late port
 constexpr int64_t TryEachUs = 2000000;
 constexpr int64_t TryMostUs = 60000000;
-constexpr int64_t AgainUs = 4000000;  // the changes that are searched for the delay again
+constexpr int64_t AgainUs = 4000000;  // for how long a delay by the times alone is doubted
 constexpr int64_t MovedUs = 1000000;  // by which a port may be late without saying so
-constexpr size_t VotesLeast = 8;
-constexpr int64_t VoteWidthUs = 20000;
 
 }  // namespace
 
@@ -36,10 +36,34 @@ uint64_t Aligner::hashOf(const Values &values) const {
   return hash;
 }
 
-bool Aligner::isChange(size_t side, const Values &values) {
-  const bool is = !_newest[side] || !isSame(*_newest[side], values);
+// Notes a change for the search. Returns true for one, and for the first frame.
+bool Aligner::isChange(size_t side, int64_t us, const Values &values) {
+  const bool isFirst = !_newest[side];
+  const bool is = isFirst || !isSame(*_newest[side], values);
+  if (is && !isFirst) {
+    _changes.put(side, us, hashOf(values));
+  }
   _newest[side] = values;
   return is;
+}
+
+// Notes a gap, with its length in frames, and flags that are not those of the previous frame.
+void Aligner::noteLosses(size_t side, int64_t us, const Values &values) {
+  constexpr uint64_t FlagsBegin = 1000000;
+  Side &each = _sides[side];
+  const int64_t intervalUs = us - each.newestUs;
+  if (each.newestUs != NeverUs && each.intervalUs > 0 && 2 * intervalUs > 3 * each.intervalUs) {
+    _losses.put(side, us, static_cast<uint64_t>((intervalUs + each.intervalUs / 2) / each.intervalUs));
+  } else if (each.newestUs != NeverUs) {
+    each.intervalUs = intervalUs;
+  }
+  const std::optional<Values> &newest = _newest[side];
+  if (newest && (newest->lostFrame != values.lostFrame || newest->failsafe != values.failsafe)) {
+    _losses.put(side, us, FlagsBegin + 2 * values.lostFrame + values.failsafe);
+  }
+  each.newestUs = us;
+  _losses.forgetBefore(side, us - TryMostUs);
+  _changes.forgetBefore(side, us - TryMostUs);
 }
 
 // Finds out which channels both sides have. If they are others than before, the frames that wait are seen again.
@@ -50,10 +74,11 @@ void Aligner::setCommon() {
   }
   _channels = commonChannels(a, b);
   _hasSwitches = haveSwitches(a, b);
+  _changes.clear();
   for (const size_t side : {size_t{0}, size_t{1}}) {
     const std::optional<Values> newest = std::exchange(_newest[side], std::nullopt);
     for (Frame &frame : _sides[side].frames) {
-      frame.isChange = isChange(side, frame.values);
+      frame.isChange = isChange(side, frame.us, frame.values);
     }
     _newest[side] = newest;
   }
@@ -80,7 +105,8 @@ void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs)
   while (!late.empty() && late.front().second < us - 2 * TryMostUs) {
     late.pop_front();
   }
-  _sides[side].frames.push_back({us, isChange(side, values), values, lateUs});
+  noteLosses(side, us, values);
+  _sides[side].frames.push_back({us, isChange(side, us, values), values, lateUs});
   auto &changes = _sides[side].changes;
   if (_sides[side].frames.back().isChange) {
     changes.push_back(_sides[side].frames.back());
@@ -99,9 +125,31 @@ void Aligner::knownUntil(size_t side, int64_t us) {
 
 void Aligner::finish() {
   work(true);
+  checkDelay();
   giveUpSecond(INT64_MAX);
   pairUnmatched(INT64_MAX);
   emitBefore(INT64_MAX);
+}
+
+// The delay was found early: what came since then may repeat itself, or tell another one.
+void Aligner::checkDelay() {
+  const DelaySearch::Result result = (_by == DelayBy::Contents ? _changes : _losses).search({Ended, Ended});
+  if (_by == DelayBy::Times || !result.best.isLikely()) {
+    return;
+  }
+  const bool isConfirmed = std::abs(static_cast<double>(result.best.delayUs) - _delayUs) < WindowUs;
+  _searched = isConfirmed ? result : DelaySearch::Result{_searched.best, result.best};
+}
+
+std::string Aligner::evidence() const {
+  if (_by == DelayBy::Times) {
+    return "the times alone: not certain";
+  }
+  return std::string(_by == DelayBy::Contents ? "the contents: " : "gaps and losses: ") +
+         format("%zu of %zu agree", _searched.best.agreeing, _searched.best.of) +
+         (isCertain() ? ""
+                      : format(", with another delay %zu of %zu: not certain", _searched.second.agreeing,
+                               _searched.second.of));
 }
 
 void Aligner::work(bool isEnd) {
@@ -110,7 +158,7 @@ void Aligner::work(bool isEnd) {
   if (!_hasDelay && !findDelay(isEnd)) {
     return;
   }
-  if (!_isByContents) {
+  if (_by != DelayBy::Contents) {
     findDelayAgain(isEnd);
   }
   std::deque<Frame> &frames = _sides[0].frames;
@@ -148,50 +196,41 @@ bool Aligner::findDelay(bool isEnd) {
     return false;
   }
   _tryUs = knownUs + TryEachUs;
-  _isByContents = vote(&Side::frames);
   const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
     return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
   });
-  _hasDelay = _isByContents || isEnd || isLate;
+  const bool isLast = isEnd || isLate;
+  _hasDelay = searchContents(isLast) || isLast;
   if (_hasDelay) {
+    if (_by == DelayBy::Times) {
+      searchLosses();
+    }
     findPeriod();
   }
   return _hasDelay;
 }
 
-// Each change that occurs exactly once on both sides votes for a delay. Returns true if they find it.
-bool Aligner::vote(std::deque<Frame> Side::*frames) {
-  std::unordered_map<uint64_t, std::array<std::pair<unsigned, int64_t>, 2>> places;
-  for (const size_t side : {size_t{0}, size_t{1}}) {
-    for (const Frame &frame : _sides[side].*frames) {
-      if (frame.isChange) {
-        auto &[count, us] = places[hashOf(frame.values)][side];
-        count++;
-        us = frame.us;
-      }
-    }
-  }
-  std::vector<int64_t> votes;
-  for (const auto &[hash, place] : places) {
-    if (place[0].first == 1 && place[1].first == 1) {
-      votes.push_back(place[1].second - place[0].second);
-    }
-  }
-  std::sort(votes.begin(), votes.end());
-  size_t most = 0, first = 0;
-  for (size_t begin = 0, end = 0; begin < votes.size(); begin++) {
-    while (end < votes.size() && votes[end] <= votes[begin] + VoteWidthUs) {
-      end++;
-    }
-    if (end - begin > most) {
-      most = end - begin;
-      first = begin;
-    }
-  }
-  if (most < VotesLeast || 2 * most <= votes.size()) {
+// Takes the delay at which most changes of the contents agree; until the last try, only if it is final.
+bool Aligner::searchContents(bool isLast) {
+  const DelaySearch::Result result = _changes.search(knownUs());
+  if (!(isLast ? result.best.isLikely() : result.isFinal())) {
     return false;
   }
-  _delayUs = static_cast<double>(votes[first + most / 2]);
+  _by = DelayBy::Contents;
+  _searched = result;
+  _delayUs = static_cast<double>(result.best.delayUs);
+  return true;
+}
+
+// Does the same with gaps and flags: the wire and a port share them, two receivers do not.
+bool Aligner::searchLosses() {
+  const DelaySearch::Result result = _losses.search(knownUs());
+  if (!result.isCertain()) {
+    return false;
+  }
+  _by = DelayBy::Losses;
+  _searched = result;
+  _delayUs = static_cast<double>(result.best.delayUs);
   return true;
 }
 
@@ -204,12 +243,11 @@ void Aligner::findDelayAgain(bool isEnd) {
   }
   _tryUs = knownUs + TryEachUs;
   const double wrongUs = _delayUs;
-  _isByContents = vote(&Side::changes);
-  if (!_isByContents) {
+  if (!searchContents(isEnd)) {
     return;
   }
   const int64_t awayUs = std::llround(std::abs(_delayUs - wrongUs));
-  const int64_t fromUs = _sides[0].changes.front().us - awayUs - WindowUs;
+  const int64_t fromUs = knownUs - AgainUs - awayUs - WindowUs;
   _sides[0].late.emplace_back(fromUs, std::max(_sides[0].knownUs, fromUs) + awayUs + WindowUs);
   for (auto found = _found.lower_bound(fromUs - WindowUs); found != _found.end(); ++found) {
     found->second.isLate = true;
@@ -336,11 +374,11 @@ void Aligner::pairUnmatched(int64_t beforeUs) {
 void Aligner::add(const Frame &a, const Frame &b, bool isSameContent, bool isLate) {
   _found.emplace(
       a.us,
-      Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate, _isByContents});
+      Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate, _by});
 }
 
 void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
-  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us), _isByContents};
+  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us), _by};
   finding.values[side] = frame.values;
   _found.emplace(us, finding);
 }
@@ -372,7 +410,7 @@ void Aligner::giveUpOld(size_t side) {
 
 // As long as the times alone tell the delay, findings wait for findDelayAgain().
 void Aligner::emitBefore(int64_t us) {
-  us -= _hasDelay && !_isByContents && us < INT64_MAX ? AgainUs : 0;
+  us -= _hasDelay && _by != DelayBy::Contents && us < INT64_MAX ? AgainUs : 0;
   while (!_found.empty() && _found.begin()->first < us) {
     _onFinding(_found.begin()->first, _found.begin()->second);
     _found.erase(_found.begin());

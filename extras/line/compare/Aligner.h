@@ -9,12 +9,17 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "line/Statistics.h"
+#include "line/compare/DelaySearch.h"
 #include "sbus/Frame.h"
 
 namespace line {
+
+// What told the delay. Times: nothing; the clocks were assumed to agree.
+enum class DelayBy { Times, Losses, Contents };
 
 // A finding, at a time of the first source.
 struct Alignment {
@@ -26,7 +31,7 @@ struct Alignment {
   int64_t delayUs;     // of Pair: the second one's delay
   bool isSameContent;  // of Pair: all channels that both have
   bool isLate;         // the PC was late: what it read then came some time before; or the delay was not known yet
-  bool isByContents;   // these told the delay
+  DelayBy by;
 };
 
 // Returns how many channels both have.
@@ -53,8 +58,12 @@ class Aligner {
   // Takes the end of both sources.
   void finish();
 
-  // Returns true if the delay was found by contents, false if the clocks were assumed to agree.
-  bool isByContents() const { return _isByContents; }
+  // Returns what told the delay.
+  DelayBy by() const { return _by; }
+  // Returns false if the delay may be wrong.
+  bool isCertain() const { return _by != DelayBy::Times && _searched.isCertain(); }
+  // Returns "the contents: 55 of 57 agree", which counts changes.
+  std::string evidence() const;
 
  private:
   static constexpr int64_t NeverUs = INT64_MIN / 2;
@@ -71,17 +80,23 @@ class Aligner {
     std::deque<Frame> changes;                     // of the last seconds
     std::deque<std::pair<int64_t, int64_t>> late;  // when the PC was late, in the side's times
     int64_t knownUs = NeverUs;
+    int64_t newestUs = NeverUs;  // of the newest frame
+    int64_t intervalUs = 0;      // before it
   };
 
   bool isSame(const Values &a, const Values &b) const;
   uint64_t hashOf(const Values &values) const;
-  bool isChange(size_t side, const Values &values);
+  bool isChange(size_t side, int64_t us, const Values &values);
   void setCommon();
   bool isOnly(const Frame &frame) const;
   size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const;
   void work(bool isEnd);
   bool findDelay(bool isEnd);
-  bool vote(std::deque<Frame> Side::*frames);
+  void noteLosses(size_t side, int64_t us, const Values &values);
+  bool searchContents(bool isLast);
+  bool searchLosses();
+  void checkDelay();
+  std::array<int64_t, 2> knownUs() const { return {_sides[0].knownUs, _sides[1].knownUs}; }
   void findDelayAgain(bool isEnd);
   void findPeriod();
   void match(const Frame &frame);
@@ -101,7 +116,10 @@ class Aligner {
   bool _hasSwitches = false;     // both sides have
   std::multimap<int64_t, Alignment> _found;
   bool _hasDelay = false;
-  bool _isByContents = false;
+  DelayBy _by = DelayBy::Times;
+  DelaySearch _changes;  // of the last minute: new contents
+  DelaySearch _losses;   // gaps and flags
+  DelaySearch::Result _searched;
   double _delayUs = 0;  // follows the clocks
   int64_t _periodUs = 9000;
   int64_t _tryUs = NeverUs;  // when to search for the delay again

@@ -1,10 +1,13 @@
 #include "line/compare/Comparison.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace line {
 
 namespace {
+
+constexpr int64_t MovedUs = 20000;  // another delay, not a late port
 
 bool isFlagged(const Values &values) {
   return values.lostFrame || values.failsafe;
@@ -71,10 +74,14 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
 }
 
-// Only the best delays count: those by contents before those by the times alone, and then those that were read on time.
+// Only the best delays count: those by contents before those by losses or by the times alone, and then those that were read on time.
 void Comparison::putDelay(int64_t us, const Alignment &found) {
-  const int rank = (found.isByContents ? 2 : 0) + (found.isLate ? 0 : 1);
+  const int rank = 2 * static_cast<int>(found.by) + (found.isLate ? 0 : 1);
   if (rank > _delayRank) {
+    if (_byTimes && found.by != DelayBy::Times && std::abs(found.delayUs - _counts.delays.medianUs()) > MovedUs) {
+      takeBack();
+    }
+    _byTimes = found.by == DelayBy::Times;
     _delayRank = rank;
     _counts.areDelaysLate = found.isLate;
     _counts.delays = Delays();
@@ -82,6 +89,19 @@ void Comparison::putDelay(int64_t us, const Alignment &found) {
   if (rank == _delayRank) {
     _counts.delays.put(us, found.delayUs);
   }
+}
+
+// The times alone have told a wrong delay: frames that were alike are the same with any delay, all others were not those
+// of one time.
+void Comparison::takeBack() {
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    _counts.late[side] += _counts.different + _counts.lost[1 - side];
+    _open[side].reset();
+  }
+  _counts.different = 0;
+  _counts.lost = _counts.spans = {};
+  _counts.longest = {};
+  _counts.first.reset();
 }
 
 void Comparison::lose(size_t side, int64_t us, bool isMissing) {

@@ -18,6 +18,9 @@ class SendingPort {
   // Returns the port; null while it is gone.
   PortFile *at(uint64_t nowUs) { return _port.at(nowUs); }
 
+  // Returns true if it is gone and will not come back.
+  bool finished() const { return _port.finished(); }
+
   // See Line::news().
   std::string news() { return _port.news(); }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -73,19 +74,27 @@ void LineFile::sync() {
   }
 }
 
-// A full disk takes only part of a line; removes that part.
+// A full disk takes only part of a line; removes that part, and a file without a line.
 void LineFile::fail() {
-  _failure = _name + ": could not be written completely (" + std::strerror(errno) + ")";
-  if (ftruncate(_file, _size) == 0) {
-    _failure += "; what was written before is valid";
+  const int error = errno;
+  struct stat status;
+  const bool isCut = ftruncate(_file, _size) == 0;
+  if (isCut && _size == 0 && stat(_name.c_str(), &status) == 0 && S_ISREG(status.st_mode)) {
+    std::remove(_name.c_str());
   }
-  _failure += "; is the disk full?";
+  _failure = incomplete(error, isCut && _size > 0 ? "; what was written before is valid" : "");
+}
+
+std::string LineFile::incomplete(int error, const char *what) const {
+  const bool isFull = error == ENOSPC || error == EFBIG;
+  return _name + ": could not be written completely (" + std::strerror(error) + ")" + what +
+         (isFull ? "; is the disk full?" : "; check the disk, or write elsewhere");
 }
 
 std::string LineFile::finish() {
   const int file = std::exchange(_file, -1);
   if (file >= 0 && close(file) != 0 && _failure.empty()) {
-    _failure = _name + ": could not be written completely (" + std::strerror(errno) + "); is the disk full?";
+    _failure = incomplete(errno, "");
   }
   return _failure;
 }

@@ -33,6 +33,7 @@ class LineFile {
 
  private:
   void fail();
+  std::string incomplete(int error, const char *what) const;
 
   std::string _name;
   int _file;

@@ -30,15 +30,17 @@ bool FlagSpans::brokenUntil(uint64_t us, uint32_t lateUs) {
   return true;
 }
 
-void FlagSpans::put(uint64_t us, bool failsafe, bool lostFrame) {
+void FlagSpans::put(uint64_t us, bool failsafe, bool lostFrame, bool noPulses) {
   _firstUs = _lastUs == 0 ? us : _firstUs;
   _lastUs = us;
   set(_failsafe, failsafe);
+  set(_noPulses, noPulses);
   set(_lostFrame, lostFrame && !failsafe);
 }
 
 void FlagSpans::finish() {
   set(_failsafe, false);
+  set(_noPulses, false);
   set(_lostFrame, false);
 }
 

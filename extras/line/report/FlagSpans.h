@@ -8,7 +8,7 @@
 namespace line {
 
 struct FlagSpan {
-  enum class Kind { Failsafe, LostFrame, NoFrames, Late };
+  enum class Kind { Failsafe, NoPulses, LostFrame, NoFrames, Late };
 
   Kind kind;
   uint64_t fromUs;
@@ -24,7 +24,7 @@ uint64_t sumUs(const std::vector<FlagSpan> &spans);
 std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count);
 
 // A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a late read by the
-// PC, or to the end. A frame with both flags counts as failsafe only.
+// PC, or to the end. A frame with both flags counts as failsafe only. Frames without pulses have no flag: Values.
 class FlagSpans {
  public:
   // Returns true if the line was silent between the newest frame and the next one, at `us`, or if the PC was late,
@@ -32,7 +32,7 @@ class FlagSpans {
   bool brokenUntil(uint64_t us, uint32_t lateUs);
 
   // Takes the flags of the next frame.
-  void put(uint64_t us, bool failsafe, bool lostFrame);
+  void put(uint64_t us, bool failsafe, bool lostFrame, bool noPulses);
 
   // Ends all spans. Call it after the last frame.
   void finish();
@@ -54,6 +54,7 @@ class FlagSpans {
   void set(Flag &flag, bool is);
 
   Flag _failsafe = {FlagSpan::Kind::Failsafe, false, 0};
+  Flag _noPulses = {FlagSpan::Kind::NoPulses, false, 0};
   Flag _lostFrame = {FlagSpan::Kind::LostFrame, false, 0};
   std::vector<FlagSpan> _all;
   uint64_t _firstUs = 0;

@@ -96,13 +96,14 @@ void FlightLog::take(const Stretch &stretch) {
     _intervals[(us - _flags.lastUs() + 500) / 1000]++;
   }
   const bool isLost = _observer.newest().lostFrame;
+  const bool isPulseless = _observer.newest().hasNoPulses();
   const bool isFailsafe = _observer.inFailsafe();
   FlightSecond &second = _seconds[us / SecondUs];
   second.frames++;
   second.lost += isLost;
-  second.failsafe += isFailsafe;
+  second.failsafe += isFailsafe || isPulseless;
   _curves.put(us, _observer.newest().raw.data(), isJoined);
-  _flags.put(us, isFailsafe, isLost);
+  _flags.put(us, isFailsafe, isLost, isPulseless);
 }
 
 std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
@@ -173,6 +174,7 @@ std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count) {
 FlightVerdict verdictOf(const FlightLog &flight) {
   using Severity = FlightVerdict::Severity;
   const std::vector<FlagSpan> failsafe = flight.spans(FlagSpan::Kind::Failsafe);
+  const std::vector<FlagSpan> pulseless = flight.spans(FlagSpan::Kind::NoPulses);
   const std::vector<FlagSpan> silences = flight.spans(FlagSpan::Kind::NoFrames);
   const sbus::Counters counters = flight.observer().counters();
   const unsigned long all = counters.frames + flight.missing();
@@ -180,8 +182,12 @@ FlightVerdict verdictOf(const FlightLog &flight) {
       all > 0 ? static_cast<double>(counters.lostFrames + flight.missing()) / static_cast<double>(all) : 0;
   const std::string lostText = format("%.2f %% of the frames lost", 100 * lost);
   std::string text;
-  text += failsafe.empty() ? "" : "failsafe " + times(failsafe);
-  text += silences.empty() ? "" : (text.empty() ? "no frames " : "; no frames ") + times(silences);
+  const auto add = [&text](const char *name, const std::vector<FlagSpan> &spans) {
+    text += spans.empty() ? "" : (text.empty() ? "" : "; ") + (name + times(spans));
+  };
+  add("failsafe ", failsafe);
+  add("no pulses (0 on CH1 to CH4, without a flag) ", pulseless);
+  add("no frames ", silences);
   if (!text.empty()) {
     text[0] = text[0] == 'f' ? 'F' : 'N';
     return {Severity::Bad, text + "; " + lostText + "."};

@@ -18,7 +18,7 @@ namespace line {
 struct FlightSecond {
   unsigned frames = 0;
   unsigned lost = 0;      // with the lost-frame flag
-  unsigned failsafe = 0;  // in failsafe
+  unsigned failsafe = 0;  // in failsafe, or without pulses
 };
 
 class FlightLog {

@@ -44,6 +44,7 @@ struct Listed {
   const char *cause;  // shown for a bad second; empty: only lost frames
 };
 constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "Failsafe", "failsafe", "failsafe"},
+                                {FlagSpan::Kind::NoPulses, "No pulses", "failsafe", "no pulses"},
                                 {FlagSpan::Kind::NoFrames, "No frames", "silent", "no frames"},
                                 {FlagSpan::Kind::LostFrame, "Lost frames", "lost", ""},
                                 {FlagSpan::Kind::Late, "PC late", "late", "PC late"}};

@@ -128,6 +128,7 @@ class Drawing {
       FlagSpan::Kind kind;
       const char *name, *text;
     } kinds[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
+                 {FlagSpan::Kind::NoPulses, "failsafe", "no pulses"},
                  {FlagSpan::Kind::LostFrame, "lost", "lost frames"},
                  {FlagSpan::Kind::NoFrames, "silent", "no frames"},
                  {FlagSpan::Kind::Late, "late", "PC late"}};

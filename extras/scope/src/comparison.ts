@@ -18,7 +18,7 @@ export interface Comparison {
   driftPpm: number; // by which the delay grows
   atZeroUs: number; // the delay at A's time 0
   laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
-  isByContents: boolean;
+  evidence: string; // of the delay
   areDelaysLate: boolean; // all of them are of frames that came while the PC was late
 }
 

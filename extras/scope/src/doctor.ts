@@ -18,6 +18,11 @@ export interface Verdict extends Problem {
 // How severe the findings are; those that are well are not here.
 const severities: Partial<Record<Finding, Severity>> = {
   [Finding.NoSignal]: 'alarm',
+  [Finding.IBus]: 'alarm',
+  [Finding.Crsf]: 'alarm',
+  [Finding.FPort]: 'alarm',
+  [Finding.Sumd]: 'alarm',
+  [Finding.Spektrum]: 'alarm',
   [Finding.NoFrames]: 'alarm',
   [Finding.Channels24]: 'note',
   [Finding.WrongPolarity]: 'alarm',
@@ -26,6 +31,7 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.PolledTooSeldom]: 'warning',
   [Finding.InterruptsOff]: 'warning',
   [Finding.Noise]: 'warning',
+  [Finding.NoPulses]: 'alarm',
   [Finding.Failsafe]: 'alarm',
   [Finding.NoRadio]: 'alarm',
   [Finding.Lossy]: 'warning',

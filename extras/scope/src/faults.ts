@@ -6,14 +6,15 @@ export { FlightKind } from './border';
 
 export enum Fault {
   Failsafe,
+  NoPulses, // 0 on CH1 to CH4, without a flag
   LostFrame, // without failsafe
   Damage,
   NoFrames,
   Late, // the PC was late: what the line did is not known
 }
 
-export const faults = [Fault.Failsafe, Fault.LostFrame, Fault.Damage, Fault.NoFrames, Fault.Late];
-export const faultNames = ['failsafe', 'lost frames', 'damaged bytes', 'no frames', 'PC late'];
+export const faults = [Fault.Failsafe, Fault.NoPulses, Fault.LostFrame, Fault.Damage, Fault.NoFrames, Fault.Late];
+export const faultNames = ['failsafe', 'no pulses', 'lost frames', 'damaged bytes', 'no frames', 'PC late'];
 
 export const binCount = 512; // of a recording, whatever its length
 

@@ -83,11 +83,11 @@ std::string json(const Comparing &found, const line::Comparison::Counts &counts)
          json(counts.longest[1]) + "]," +
          line::format(
              "\"same\":%lu,\"different\":%lu,\"delays\":%lu,\"medianUs\":%lld,\"leastUs\":%lld,\"mostUs\":%lld,"
-             "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"isByContents\":%s,"
+             "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"evidence\":\"%s\","
              "\"areDelaysLate\":%s}",
              counts.same, counts.different, delays.count(), static_cast<long long>(delays.medianUs()),
              static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()), delays.driftPpm(),
-             delays.at(0), static_cast<long long>(found.laterUs), found.aligner.isByContents() ? "true" : "false",
+             delays.at(0), static_cast<long long>(found.laterUs), found.aligner.evidence().c_str(),
              counts.areDelaysLate ? "true" : "false");
 }
 

@@ -56,7 +56,7 @@ std::string json(const line::FlightLog &log) {
       static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
       static_cast<unsigned long>(counters.failsafeFrames), log.missing(), log.framesPerSecond(),
       log.observer().discardedBytes(), log.observer().characterErrors());
-  for (const Kind kind : {Kind::Failsafe, Kind::LostFrame, Kind::NoFrames, Kind::Late}) {
+  for (const Kind kind : {Kind::Failsafe, Kind::NoPulses, Kind::LostFrame, Kind::NoFrames, Kind::Late}) {
     text += (kind == Kind::Failsafe ? "" : ",") + json(log.spans(kind));
   }
   return text + "],\"worst\":" + json(worstSeconds(log, WorstMost)) + ",\"strip\":" + json(stripOf(log, StripParts)) +

@@ -19,7 +19,7 @@ uint8_t flagsOf(const line::Observer &observer) {
   return static_cast<uint8_t>(
       (newest.switches[0] ? sbus::FlagChannel17 : 0) | (newest.switches[1] ? sbus::FlagChannel18 : 0) |
       (newest.lostFrame ? sbus::FlagLostFrame : 0) | (observer.inFailsafe() ? sbus::FlagFailsafe : 0) |
-      (observer.inFailsafe() && !newest.failsafe ? FlagByLosses : 0));
+      (observer.inFailsafe() && !newest.failsafe ? FlagByLosses : 0) | (newest.hasNoPulses() ? FlagNoPulses : 0));
 }
 
 }  // namespace
@@ -145,6 +145,7 @@ bool ShownLine::happens(uint64_t nowUs) {
     moment.values[line::Moment::Age] = static_cast<double>(rows.ageUs(nowUs));
     moment.values[line::Moment::State] = static_cast<double>(state(nowUs));
     moment.values[line::Moment::Failsafe] = rows.failsafe();
+    moment.values[line::Moment::NoPulses] = 0;
     moment.values[line::Moment::LostFrame] = rows.lostFrame();
   }
   const bool before = std::exchange(_holds, _condition->holds(moment));

@@ -35,6 +35,9 @@ constexpr uint8_t FlagByLosses = 0x80;
 // In the flags of a record: the condition becomes true there.
 constexpr uint8_t FlagEvent = 0x10;
 
+// In a frame's flags, which a frame does not use: see Values::hasNoPulses().
+constexpr uint8_t FlagNoPulses = 0x20;
+
 // In a row's flags: it has columns for failsafe and lost frame, or for CH17 and CH18.
 constexpr uint8_t FlagHasFlags = 0x40;
 constexpr uint8_t FlagHasSwitches = 0x20;

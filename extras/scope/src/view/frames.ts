@@ -94,7 +94,7 @@ export class FramesView {
     const [time, code, why] = Array.from(row.children) as HTMLElement[];
     setText(time, (stretch.endUs / 1e6).toFixed(3));
     setText(code, Array.from(stretch.bytes, hex).join(' '));
-    const flags = stretch.flags & Flag.Failsafe && !(stretch.flags & Flag.ByLosses) ? 'failsafe' : stretch.flags & Flag.LostFrame ? 'lost frame' : '';
+    const flags = stretch.flags & Flag.Failsafe && !(stretch.flags & Flag.ByLosses) ? 'failsafe' : stretch.flags & Flag.LostFrame ? 'lost frame' : stretch.kind === Kind.Frame && stretch.flags & Flag.NoPulses ? 'no pulses' : '';
     setText(why, stretch.why || flags);
     row.className = stretch.kind === Kind.NoFrame && !stretch.isTelemetry ? 'none' : flags ? 'flagged' : '';
   }

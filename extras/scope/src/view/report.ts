@@ -6,9 +6,10 @@ import type { RecordingSource } from '../source/recording';
 import { clock } from './strip';
 
 const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
-const kinds = [FlightKind.Failsafe, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];
+const kinds = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];
 const names: Record<FlightKind, string> = {
   [FlightKind.Failsafe]: 'Failsafe',
+  [FlightKind.NoPulses]: 'No pulses',
   [FlightKind.LostFrame]: 'Lost frames',
   [FlightKind.NoFrames]: 'No frames',
   [FlightKind.Late]: 'PC late',

@@ -83,11 +83,11 @@ export class SecondView {
       setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : waiting);
       return;
     }
-    const { medianUs, leastUs, mostUs, driftPpm, isByContents, areDelaysLate, same, different, alone, late, lost, spans, longest } = comparison;
+    const { medianUs, leastUs, mostUs, driftPpm, evidence, areDelaysLate, same, different, alone, late, lost, spans, longest } = comparison;
     const later = medianUs < 0 ? 'earlier' : 'later';
     setText(
       byId('second-text'),
-      `B is ${ms(Math.abs(medianUs))} ${later} than A (${ms(leastUs)} to ${ms(mostUs)}, drift ${driftPpm.toFixed(1)} µs/s), by ${isByContents ? 'the contents' : 'the times alone'}${areDelaysLate ? '; inaccurate, since the PC was late' : ''}. ` +
+      `B is ${ms(Math.abs(medianUs))} ${later} than A (${ms(leastUs)} to ${ms(mostUs)}, drift ${driftPpm.toFixed(1)} µs/s), by ${evidence}${areDelaysLate ? '; inaccurate, since the PC was late' : ''}. ` +
         `${counted(same, 'frame')} alike, ${different} different; ${alone[0]} only in A and ${alone[1]} only in B before or after the other.` +
         (late[0] + late[1] > 0 ? ` Not compared: ${late[0]} of A and ${late[1]} of B; the PC was late, or the delay not known yet.` : ''),
     );

@@ -12,8 +12,8 @@ const tall = 8;
 const lossTall = 5.5; // all frames of a second lost
 
 // Top and height, of `tall`, by Fault. Lost frames are a thin line until it is known how many they are.
-const bands: [number, number][] = [[0, 8], [7.5, 0.5], [0, 2.5], [3.5, 1], [6.5, 1.5]];
-const classes = ['failsafe', 'lost', 'damage', 'silence', 'late'];
+const bands: [number, number][] = [[0, 8], [0, 8], [7.5, 0.5], [0, 2.5], [3.5, 1], [6.5, 1.5]];
+const classes = ['failsafe', 'failsafe', 'lost', 'damage', 'silence', 'late'];
 
 // Returns 1:02.345.
 export function clock(us: number, digits = 3): string {

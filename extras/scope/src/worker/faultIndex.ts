@@ -77,6 +77,7 @@ export class FaultIndex {
     const silent = this.silence(endUs, lateUs);
     const failsafe = (flags & Flag.Failsafe) !== 0;
     this.flag(Fault.Failsafe, failsafe, silent, endUs);
+    this.flag(Fault.NoPulses, !this.isRow && (flags & Flag.NoPulses) !== 0, silent, endUs);
     this.flag(Fault.LostFrame, !failsafe && (flags & Flag.LostFrame) !== 0, silent, endUs);
     this.firstUs = this.count++ === 0 ? endUs : this.firstUs;
     this.newestUs = endUs;

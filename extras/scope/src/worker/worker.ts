@@ -322,6 +322,7 @@ function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
   const isFrame = kind !== Kind.NoFrame;
   switch (fault) {
     case Fault.Failsafe: return isFrame && (flags & Flag.Failsafe) !== 0;
+    case Fault.NoPulses: return kind === Kind.Frame && (flags & Flag.NoPulses) !== 0;
     case Fault.LostFrame: return isFrame && (flags & Flag.LostFrame) !== 0;
     case Fault.Damage: return !isFrame;
     default: return false; // time passes until it is seen
