@@ -8,10 +8,11 @@
 
 namespace tool {
 
-std::string json(const line::LostSpan &span);
+// `zeroUs`: A's own time at the comparison's time 0.
+std::string json(const line::LostSpan &span, int64_t zeroUs);
 
 // `names`: the sources'. `isByContents`: see Aligner.
-std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, bool isByContents);
-std::string json(const line::Comparison &comparison, bool isByContents);
+std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, int64_t zeroUs, bool isByContents);
+std::string json(const line::Comparison &comparison, int64_t zeroUs, bool isByContents);
 
 }  // namespace tool
