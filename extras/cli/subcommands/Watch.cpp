@@ -137,7 +137,7 @@ void addWatch(CLI::App &app) {
   subcommand.option("-o,--output", options->folder, "the folder for the recordings")
       .required()
       .notEmpty()
-      .type("FOLDER");
+      .type("FILE");
   subcommand.option("--before", options->beforeS, "seconds before an event (2)").between(0, 600).type("S");
   subcommand.option("--after", options->afterS, "seconds after an event (5)").between(0, 3600).type("S");
   subcommand
