@@ -80,12 +80,12 @@ scope:
 
 CAPTURES ?=
 # WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
-SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
+SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 nlohmann-json3-dev $(if $(shell command -v npm),,nodejs npm)
 TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev nlohmann-json3-dev 'pkg-config|pkgconf'
 # What TOOL's static libraries need.
 STATIC := nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev
 AVR := gcc-avr avr-libc arduino-core-avr
-TEST := g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
+TEST := g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev nlohmann-json3-dev
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
 # The headers of the C++ library alone, 17 MB; the library has 1.5 GB.
@@ -96,7 +96,7 @@ test:
 	@$(MAKE) --no-print-directory $(jobs) -C test
 
 test-all:
-	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory $(jobs) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:

@@ -61,7 +61,7 @@ until_says() {
 adapter() {
   rm -f terminal
   rm -f sent.txt
-  build/sbus/sbus record sim sent.txt --simulated-time --seconds 2 "$@" 2>/dev/null
+  build/sbus/sbus record sim -o sent.txt --simulated-time --seconds 2 "$@" 2>/dev/null
   timeout 60 build/sbus/sbus send sent.txt >terminal 2>/dev/null &
   wait_for test -s terminal
   adapter=$(cat terminal)
@@ -151,12 +151,12 @@ check '^Makefile$' 'git -C "$root" rev-parse -q --verify HEAD >/dev/null || echo
 # There is no adapter here: the path is compared with the source of what `sbus ports` prints.
 check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/line/system/LowLatency.cpp' \
   'echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer'
-check '\(0 with errors\), [1-9][0-9]* frames$' 'adapter; timeout 60 build/sbus/sbus record $adapter receiver.txt' \
-  'build/sbus/sbus record /dev/ttyUSB0 receiver.txt'
+check '\(0 with errors\), [1-9][0-9]* frames$' 'adapter; timeout 60 build/sbus/sbus record $adapter -o receiver.txt' \
+  'build/sbus/sbus record /dev/ttyUSB0 -o receiver.txt'
 check '( [0-9A-F]{2}){25}  frame end 00' 'build/sbus/sbus hex receiver.txt'
 check '^([0-9]+,){17}[0-9]+$' 'make demo SOURCE=receiver.txt SKETCH=examples/AllChannels'
 check '\(0 with errors\), [1-9][0-9]* frames$' 'rm receiver.txt; adapter --baud 200000
-  timeout 60 build/sbus/sbus record $adapter receiver.txt --baud 200000' 'build/sbus/sbus record /dev/ttyUSB0 receiver.txt --baud 200000'
+  timeout 60 build/sbus/sbus record $adapter -o receiver.txt --baud 200000' 'build/sbus/sbus record /dev/ttyUSB0 -o receiver.txt --baud 200000'
 check 'build/host/Diagnose' 'make -C extras/host SKETCH=examples/Diagnose && ls build/host/Diagnose' 'make -C extras/host SKETCH=examples/Diagnose'
 check '^Serial1 at 200000 baud, 8E2, inverted: .* [1-9][0-9]* good, 0 with errors$' \
   'build/host/Diagnose --source receiver.txt --baud 200000 --simulated-time' 'build/host/Diagnose --source receiver.txt --baud 200000'

@@ -7,7 +7,7 @@
 
 #include "cli/Json.h"
 #include "line/Observer.h"
-#include "line/capture/CaptureFile.h"
+#include "line/file/CaptureFile.h"
 
 namespace tool {
 

@@ -55,15 +55,15 @@ Json &Json::numbers(const char *name, const std::vector<double> &values) {
 
 Json &Json::range(const ChannelForm &form) {
   const sbus::Range &range = form.range;
-  return form.unit == Unit::Percent ? numbers("range", {1.0 * range.low, 1.0 * range.centre, 1.0 * range.high}) : *this;
+  return form.unit == line::Unit::Percent ? numbers("range", {1.0 * range.low, 1.0 * range.centre, 1.0 * range.high}) : *this;
 }
 
 Json &Json::channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form) {
   std::vector<double> all;
   for (size_t i = first - 1; i < first - 1 + count; i++) {
-    all.push_back(std::round(10 * valueOf(values.raw[i], form.unit, form.range)) / 10);
+    all.push_back(std::round(10 * line::valueOf(values.raw[i], form.unit, form.range)) / 10);
   }
-  return number("first", first).numbers(fieldOf(form.unit), all);
+  return number("first", first).numbers(line::fieldOf(form.unit), all);
 }
 
 Json lineJson(const JsonLine &line) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/Units.h"
+#include "line/file/Units.h"
 #include "line/Segments.h"
 #include "line/Statistics.h"
 #include "sbus/Counters.h"
@@ -15,7 +15,7 @@ namespace tool {
 
 // The unit of the channels, and the raw values at 0 % and +-100 %.
 struct ChannelForm {
-  Unit unit = Unit::Raw;
+  line::Unit unit = line::Unit::Raw;
   sbus::Range range = sbus::FrSky;
 };
 

@@ -9,9 +9,10 @@ constexpr size_t TextMax = 4096;  // bytes of a text without rows
 }  // namespace
 
 LineRecorder::LineRecorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
-                           std::optional<int64_t> startUs, const Put &write)
+                           std::optional<int64_t> startUs, int64_t zeroUs, const Put &write)
     : _title("sbus " + title), _settings(settings), _hasTimes(hasTimes), _startUs(startUs), _write(write) {
   _observer.reset(0, settings.characterUs());
+  _writer.setZero(zeroUs);
   if (isCopy) {
     begin(Kind::Characters);
   }

@@ -19,8 +19,9 @@ class LineRecorder {
  public:
   // Passes the text to `write`. The file's first comment is "sbus " and `title`. `isCopy`: of a recording. Without
   // `hasTimes` a comment says that the times are not the line's; with `startUs` another gives the date of time 0.
+  // `zeroUs`: see line::RecordingWriter::setZero().
   LineRecorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
-               std::optional<int64_t> startUs, const Put &write);
+               std::optional<int64_t> startUs, int64_t zeroUs, const Put &write);
 
   void put(const line::Character &character);
 

@@ -58,16 +58,26 @@ void writeTo(const std::string &name, File kind, const std::function<void(const 
     flush();
     return;
   }
+  std::error_code error;
+  const bool isNew = !std::filesystem::exists(name, error);
   line::LineFile file(name, kind == File::New);
   const auto require = [](const std::string &failure) {
     if (!failure.empty()) {
       throw std::runtime_error(failure);
     }
   };
-  print([&](const std::string &text) {
-    file.write(text);
-    require(file.failure());
-  });
+  try {
+    print([&](const std::string &text) {
+      file.write(text);
+      require(file.failure());
+    });
+  } catch (...) {
+    if (isNew && file.isEmpty()) {
+      static_cast<void>(file.finish());
+      std::filesystem::remove(name, error);
+    }
+    throw;
+  }
   require(file.finish());
 }
 

@@ -21,7 +21,8 @@ void flush();
 using Put = std::function<void(const std::string &text)>;
 
 // Calls `print` with a function that writes to the file `name`, or to standard output if `name` is empty or "-".
-// File::New: the file must not exist yet. Throws std::runtime_error.
+// File::New: the file must not exist yet. Throws std::runtime_error; then a new
+// file without a line is removed.
 enum class File { Any, New };
 void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print);
 

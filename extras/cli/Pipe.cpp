@@ -12,10 +12,8 @@
 #include <utility>
 
 #include "cli/Stop.h"
-#include "cli/TableReader.h"
-#include "line/capture/Capture.h"
+#include "line/file/TableReader.h"
 #include "line/capture/PackedFile.h"
-#include "line/recording/PlainText.h"
 #include "line/recording/Recording.h"
 #include "line/recording/Words.h"
 #include "line/system/System.h"
@@ -62,13 +60,11 @@ Look lookOf(const std::string &begin, bool ended) {
   return begin.size() < Enough && !ended ? Look::Unknown : isText ? Look::Text : Look::Bytes;
 }
 
-// Returns true if the text is a sketch's rows. kindOfText() tells them from a capture in the same way. Rows that may be
-// frames are not, unless no others come: `isAll`.
+// Returns true if the text is a sketch's rows. Rows that may be frames are not, unless no others come: `isAll`.
 bool isSketchCsv(const std::string &begin, bool isAll) {
   const std::string head = begin.substr(0, begin.rfind('\n') + 1);
-  const std::string format = line::captureFormat(head);
-  const bool mayBeFrames = !isAll && frameTable(line::withoutMark(head)) == FrameTable::Maybe;
-  return line::isCsvText(head) && (format.empty() || format == line::OscilloscopeFormat) && !mayBeFrames;
+  const bool mayBeFrames = !isAll && line::frameTable(line::withoutMark(head)) == line::FrameTable::Maybe;
+  return !mayBeFrames && line::readFileHead(head, "").kind == line::FileKind::Rows;
 }
 
 }  // namespace
@@ -105,7 +101,7 @@ Pipe::Content Pipe::content(double seconds) {
   }
   const auto start = std::chrono::steady_clock::now();
   bool isSaid = false;
-  while (!stopped() && _begin.size() < line::CaptureHeadMax) {
+  while (!stopped() && _begin.size() < line::FileHeadMax) {
     const bool came = readMore(_begin.empty() ? WaitMs : PauseMs);
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (_begin.empty() && !_ended && waited >= NoteAfterS && !std::exchange(isSaid, true)) {
@@ -115,7 +111,7 @@ Pipe::Content Pipe::content(double seconds) {
     if (_begin.empty() ? _ended || (seconds > 0 && waited >= seconds) : look == Look::Bytes) {
       return Content::Line;
     }
-    _textKind = look == Look::Packed ? std::nullopt : liveKind(_begin);
+    _textKind = look == Look::Packed ? std::nullopt : line::liveKind(_begin);
     if (_textKind) {
       return Content::Text;
     }

@@ -38,7 +38,7 @@ class Pipe {
   // Returns true if the live line consists of a sketch's rows.
   bool hasRows() const { return _hasRows; }
 
-  FileKind textKind() const { return *_textKind; }
+  line::FileKind textKind() const { return *_textKind; }
 
   // For a live line or a text: its descriptor, and the bytes already read from it.
   int descriptor() const { return _file; }
@@ -52,7 +52,7 @@ class Pipe {
   std::string _begin;
   bool _ended = false;
   bool _hasRows = false;
-  std::optional<FileKind> _textKind;
+  std::optional<line::FileKind> _textKind;
   int _copy = -1;
 };
 

@@ -51,7 +51,7 @@ void RepeatedFrames::makeFrame() {
   }
   const size_t channels = std::max<size_t>(_table.channels(), sbus::ProportionalCount);
   const size_t size = channels == sbus::ChannelCount24 ? sbus::FrameSize24 : sbus::FrameSize;
-  appendFrames(_row, channels, _frameUs + size * uint64_t{_characterUs}, 0, _characterUs, _waiting);
+  line::appendFrames(_row, channels, _frameUs + size * uint64_t{_characterUs}, 0, _characterUs, _waiting);
   _frameUs += _periodUs;
 }
 

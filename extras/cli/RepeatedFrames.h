@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/TableReader.h"
+#include "line/file/TableReader.h"
 #include "cli/TextLine.h"
 #include "line/Line.h"
 
@@ -17,7 +17,7 @@ namespace tool {
 class RepeatedFrames : public line::Line {
  public:
   // Sends these values for ever.
-  RepeatedFrames(const FrameValues &values, uint64_t periodUs, uint32_t characterUs)
+  RepeatedFrames(const line::FrameValues &values, uint64_t periodUs, uint32_t characterUs)
       : _periodUs(periodUs), _characterUs(characterUs) {
     _row.values = values;
   }
@@ -40,9 +40,9 @@ class RepeatedFrames : public line::Line {
   const std::unique_ptr<TextLines> _lines;  // null: the values stay
   const uint64_t _periodUs;
   const uint32_t _characterUs;
-  TableRows _table;
-  TableRow _row;                    // the row to send
-  std::optional<TableRow> _newRow;  // the row to send from _newUs on
+  line::TableRows _table;
+  line::TableRow _row;                    // the row to send
+  std::optional<line::TableRow> _newRow;  // the row to send from _newUs on
   uint64_t _newUs = 0;
   uint64_t _zeroUs = 0;  // the time of the first row
   uint64_t _endUs = 0;   // when the last row ends

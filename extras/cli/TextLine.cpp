@@ -24,7 +24,8 @@ double seconds(int64_t us) {
 
 }  // namespace
 
-FileText::FileText(const std::string &path, const std::string &name) : _file(path, name), _text(_file) {
+FileText::FileText(const std::string &path, const std::string &name, bool isRaw)
+    : _file(path, name), _text(_file), _isRaw(isRaw) {
   _file.findOnly();
 }
 
@@ -73,12 +74,17 @@ bool TextLines::take(std::string &line) {
   return true;
 }
 
+std::string TextLines::takeAll() {
+  std::string all = std::exchange(_text, {}).substr(std::exchange(_at, 0));
+  return all;
+}
+
 std::string emptyPart(int64_t firstUs, int64_t lastUs) {
   return line::format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(firstUs),
                       seconds(lastUs));
 }
 
-TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
+TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<line::LineReader> reader, Clock clock,
                    uint64_t fromUs, uint64_t toUs)
     : _name(std::move(name)),
       _lines(std::move(input)),
@@ -162,6 +168,9 @@ void TextLine::followLive(uint64_t nowUs) {
 
 void TextLine::read() {
   _lines.read();
+  if (_reader->takesBytes()) {
+    take(_lines.takeAll());
+  }
   for (std::string line; !_ended && _lines.take(line);) {
     take(line);
   }
@@ -219,13 +228,16 @@ void TextLine::takeEnd() {
     return;
   }
   const std::string unread = _lines.failure();
-  const std::string missing = _reader->finish();
+  const size_t from = _waiting.size();
+  const std::string missing = _reader->finish(_waiting);
+  keepPart(from);
   const std::string news = _reader->news();
   _news += news.empty() ? "" : _name + ": " + news;
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);
   } else if (!_any) {
-    _failure = _name + emptyPart(static_cast<int64_t>(_firstUs), static_cast<int64_t>(_newestUs));
+    const int64_t zeroUs = _reader->zeroUs();
+    _failure = _name + emptyPart(static_cast<int64_t>(_firstUs) + zeroUs, static_cast<int64_t>(_newestUs) + zeroUs);
   }
 }
 

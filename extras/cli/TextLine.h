@@ -12,31 +12,9 @@
 #include "line/Line.h"
 #include "line/ports/PipeAges.h"
 #include "line/capture/TextFile.h"
+#include "line/file/LineReader.h"
 
 namespace tool {
-
-// Turns the lines of a text into characters.
-class LineReader {
- public:
-  virtual ~LineReader() = default;
-
-  // Takes the next line, without its LF, and appends its characters. Returns what is wrong with it, or nothing.
-  virtual std::string line(std::string_view text, std::deque<line::Character> &characters) = 0;
-
-  // Takes the last line, if it has no LF: the text may be cut within it. Returns the same.
-  virtual std::string cutLine(std::string_view text, std::deque<line::Character> &characters) {
-    return line(text, characters);
-  }
-
-  // Takes the end of the text. Returns what is missing, or nothing.
-  virtual std::string finish() = 0;
-
-  // Returns what was changed in a line that was read, once; usually empty.
-  virtual std::string news() { return {}; }
-
-  // Returns true if the text itself has said that this is its end.
-  virtual bool isComplete() const { return false; }
-};
 
 // The source of a text: a file or a pipe.
 class TextInput {
@@ -56,16 +34,17 @@ class TextInput {
 // A file, packed or not.
 class FileText : public TextInput {
  public:
-  // Throws std::runtime_error if it cannot be opened.
-  FileText(const std::string &path, const std::string &name);
+  // `isRaw`: its bytes are no text. Throws std::runtime_error if it cannot be opened.
+  FileText(const std::string &path, const std::string &name, bool isRaw = false);
 
   bool isReady(int /*ms*/) override { return true; }
-  std::string_view read() override { return _text.read(); }
+  std::string_view read() override { return _isRaw ? _file.read() : _text.read(); }
   std::string failure() const override { return _file.failure(); }
 
  private:
   line::PackedFile _file;
   line::TextFile _text;
+  const bool _isRaw;
 };
 
 // A pipe, which the caller closes. `begin` has already been read from it.
@@ -99,6 +78,9 @@ class TextLines {
   // Takes the next whole line, without its LF; the last line may lack one. Returns false if there is no line yet.
   bool take(std::string &line);
 
+  // Takes all that was read.
+  std::string takeAll();
+
   // Returns true if the last line taken had no LF.
   bool isCut() const { return _isCut; }
 
@@ -127,8 +109,9 @@ class TextLine : public line::Line {
     Live     // a program is still writing the text: its newest line is played at once
   };
 
-  // Plays the characters that end from `fromUs` to `toUs`; 0: to the end. Messages call the text `name`.
-  TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
+  // Plays the characters that end from `fromUs` to `toUs`, in their own time; 0: to the end. Messages call the text
+  // `name`.
+  TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<line::LineReader> reader, Clock clock,
            uint64_t fromUs = 0, uint64_t toUs = 0);
 
   bool next(uint64_t nowUs, line::Character &character) override;
@@ -152,7 +135,7 @@ class TextLine : public line::Line {
 
   const std::string _name;
   TextLines _lines;
-  const std::unique_ptr<LineReader> _reader;
+  const std::unique_ptr<line::LineReader> _reader;
   const Clock _clock;
   line::PipeAges _ages;  // of a live text
   const uint64_t _fromUs;
@@ -165,24 +148,6 @@ class TextLine : public line::Line {
   bool _ended = false;
   int64_t _shiftUs = 0;  // from the text's times to the program's
   std::string _failure;
-  std::string _news;
-};
-
-// Tells once that lines of a text overlap.
-class OverlapNews {
- public:
-  // Takes the time of a frame in the text, and where it ends.
-  void put(uint64_t us, uint64_t endUs) {
-    if (endUs > us && !std::exchange(_isTold, true)) {
-      _news = "its time, " + std::to_string(us) + " us, overlaps what comes before it: moved by " +
-              std::to_string(endUs - us) + " us, and others may be";
-    }
-  }
-
-  std::string take() { return std::exchange(_news, {}); }
-
- private:
-  bool _isTold = false;
   std::string _news;
 };
 

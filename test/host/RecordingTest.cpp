@@ -3,6 +3,7 @@
 
 #include "line/recording/CsvRows.h"
 #include "line/recording/Recording.h"
+#include "line/recording/RecordingWriter.h"
 
 using line::Recording;
 using line::RecordingReader;
@@ -82,4 +83,25 @@ TEST_CASE("rows without times come five times a second, rows with times at those
         std::vector<uint64_t>{8, 9000, 18500, 3600000001});
   CHECK(rowEnds(readRows({"time,CH1", "0.009,992", "0.008,993", "-1,994", "x,995"})) ==
         std::vector<uint64_t>{4, 9000, 9004, 9008, 9012});  // never back
+}
+
+TEST_CASE("a recording that begins below 0 keeps its times, and what is written of it has them again") {
+  const std::string text = "# 100000 baud, 8E2, inverted\n-9380 0F E3\n-380 0F\n8620 1F!\n";
+  const line::Recording recording = line::parseRecording(text + "# bookmark -5000 stall\n");
+  CHECK(recording.error == "");
+  CHECK(recording.zeroUs == -9380 - 120);
+  line::RecordingWriter writer;
+  writer.setZero(recording.zeroUs);
+  writer.opened(line::LineSettings());
+  for (const line::Character character : recording.characters) {
+    writer.put(character);
+  }
+  writer.finish();
+  CHECK(writer.take() == text);
+  REQUIRE(recording.bookmarks.size() == 1);
+  CHECK(recording.bookmarks[0].us == -5000);
+  CHECK(line::parseRecording("0 0F\n").zeroUs == 0);
+  CHECK(line::parseRecording("-100 0F\n-300 0F\n").error ==
+        "time -300 is too early: the previous character was complete at -100 us, and each takes 120 us");
+  CHECK(line::parseRecording("-31622400000001 0F\n").error.find("is not a time") != std::string::npos);
 }

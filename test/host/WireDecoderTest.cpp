@@ -59,8 +59,6 @@ TEST_CASE("a malformed capture is rejected: the message has the line, what is wr
     std::string text, error;
   } rows[] = {
       {"", "is empty: a capture of a wire is expected"},
-      {"<SALEAE>\x01", "is Logic 2's binary export: export it as CSV"},
-      {"# ours\n120 0F E3\n", "is a recording of characters, not a capture of the wire"},
       {"beef 0F E3\n", "is not a known capture of a wire"},
       {"0\n1\n0\n1\n", "does not say when its samples were taken"},
       {"hello\nworld\n", "is not a known capture of a wire: VCD, CSV of Saleae Logic 2"},

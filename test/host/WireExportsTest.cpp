@@ -153,7 +153,7 @@ TEST_CASE(
   }
   line::Overrides told;
   told.periodNs = 1000;
-  CHECK(Decoded(logic2, told).error == "has times of its own: leave out --rate");
+  CHECK(Decoded(logic2, told).error == "has times of its own: leave out --sample-rate");
   told.periodNs = 0;
   told.polarity = line::Polarity::Inverted;
   CHECK(Decoded(logic2, told).error == "has characters that are decoded already: leave out --invert");
@@ -189,7 +189,7 @@ TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal di
   const struct {
     std::string text, error;
   } rows[] = {
-      {noRate, "2: does not say when its samples were taken: --rate is expected"},
+      {noRate, "2: does not say when its samples were taken: --sample-rate is expected"},
       {replaced(bits, "with 2/8", "with 0/8"),
        "2: there are no signals: \"Acquisition with 1/8 channels\" or more is expected"},
       {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4: is longer than a year: is its rate right?"},
@@ -229,6 +229,22 @@ TEST_CASE("a session of sigrok is read: its metadata, and samples in pieces of a
   }
 }
 
+TEST_CASE("a session of sigrok that lists 16 probes, of which 8 were recorded, is read") {
+  std::string metadata = metadataOf(1, 0);
+  for (int probe = 9; probe <= 16; probe++) {
+    metadata += "probe" + std::to_string(probe) + "=D" + std::to_string(probe - 1) + "\n";
+  }
+  const std::string text = sampled(wireOf(), 1000);
+  std::string samples;
+  for (size_t at = text.find("logic\n") + 6; at < text.size(); at += 2) {
+    samples += text[at] == '1' ? '\1' : '\0';
+  }
+  const Decoded decoded(metadata, samples, samples.size());
+  CHECK(decoded.error == "");
+  CHECK(decoded.signal == "RX");
+  CHECK(decoded.bytes() == All);
+}
+
 TEST_CASE("a session of sigrok that cannot be decoded: the message has what is wrong and what is expected") {
   const std::string metadata = metadataOf(1, 0);
   const std::string none = "has no logic signals: a session with them, or CSV of analogue ones, is expected";
@@ -240,8 +256,9 @@ TEST_CASE("a session of sigrok that cannot be decoded: the message has what is w
       {replaced(metadata, "capturefile=logic-1\n", ""), none},  // analogue signals only
       {replaced(metadata, "unitsize=1\n", ""), none},           // no samples
       {replaced(replaced(metadata, "probe1", "analog1"), "probe2", "analog2"), none},
-      {replaced(metadata, "probe1=", "probe9="), "has more probes than fit into its unitsize of 1"},
-      {replaced(metadata, "1 MHz", "0 Hz"), "does not say when its samples were taken: --rate is expected"},
+      {replaced(replaced(metadata, "probe1=", "probe9="), "probe2=", "probe10="),
+       "has more probes than fit into its unitsize of 1"},
+      {replaced(metadata, "1 MHz", "0 Hz"), "does not say when its samples were taken: --sample-rate is expected"},
       {replaced(metadata, "1 MHz", "0.000000001 Hz"), "is longer than a year: is its samplerate right?"},
   };
   for (const auto &row : rows) {

@@ -123,7 +123,7 @@ TEST_CASE("options overrule what was found") {
     CHECK((decoded.wire.frames > 0) == row.right);
     CHECK((decoded.characters.size() == All.size() && decoded.bytes() == All) == row.right);
   }
-  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrides(0, Either, 1000, {})).error == "has times of its own: leave out --rate");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrides(0, Either, 1000, {})).error == "has times of its own: leave out --sample-rate");
   CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrides(0, Either, 0, 1.5)).error == "has no voltages: leave out --threshold");
   TestWire zeros;  // all of its pulses are ten bits long: nothing shows how long one bit is
   zeros.bytes(Bytes(5, 0));

@@ -1,10 +1,10 @@
 // Captures of the wire: the page decodes from them what is in the recording that they were made of.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { check, downloaded, play, reads, root, toEnd } from './support.mjs';
+import { build, check, downloaded, play, reads, root, toEnd } from './support.mjs';
 
 const bitUs = 10;
 
@@ -97,6 +97,8 @@ export default async function () {
   damaged[500] ^= 1;
   const metadata = Buffer.from('[device 1]\ncapturefile=logic-1\nsamplerate=1 MHz\nprobe1=A\nunitsize=1\n');
 
+  const frames = ['0F5B2469B59198445E7A15462622A61E6B5B5982A7882D0000', '0F770C68BEA598445E7A15462622A61E6B5B5982A7882D0000',
+    '0F883C69B9F398445E7A15462622A61E6B5B5982A7882D0000'].map((hex) => [...Buffer.from(hex, 'hex')]);
   // The messages are those of `sbus decode` and of `sbus csv`.
   const noSignal = 'No signal has a frame of S.Bus: a frame is 25 characters (36 with 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap';
   const slow = 'Time [s],Channel 0\n0.0,0\n0.1,1\n0.2,0\n0.3,1\n0.4,0\n';
@@ -104,18 +106,52 @@ export default async function () {
     ['idle.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', `idle.csv: signal Channel 0 has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
     ['slow.csv', slow, `slow.csv: signal Channel 0 is not S.Bus: its shortest pulses last 100000.0 us, as bits of 10 baud do: 10 us or 5 us are expected, within 3 %. ${noSignal}`],
     ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps the part before it\.$/],
-    ['other.zip', session(wire, 0, { metadata: false }), 'other.zip: is a ZIP, but not a session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
+    ['other.zip', pack([['a', Buffer.from('1')], ['b', Buffer.from('2')]]), 'other.zip: is a ZIP, but not a session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
     ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
     ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],
     ['idle.sr', pack([['metadata', metadata], ['logic-1', Buffer.alloc(1000)]]), `idle.sr: signal A has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
     ['cut.sr', whole.subarray(0, 600), 'cut.sr: cannot be read: the ZIP has no directory: is it incomplete?'],
     ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
-    ['logic.sal', '<SALEAE>\0\0', 'logic.sal: is Logic 2\'s binary export: export it as CSV'],
+    ['digital.bin', '<SALEAE>\0\0', 'digital.bin: is Logic 2\'s binary export: export it as CSV'],
+    ['logic.sal', pack([['meta.json', Buffer.from('{}')], ['digital-0.bin', Buffer.from('1')]]), 'logic.sal: is a capture of Saleae\'s Logic 2: export it as CSV (File, Export Raw Data)'],
+    ['seven.bin', Buffer.from(frames.flat().map((byte) => byte & 0x7f)), /^This cannot be played: seven\.bin: no byte is above 7F: bit 7 was stripped, and the channels are wrong; /],
   ]) {
     await check(`${name} is rejected with the message of the command, and the simulation continues`, async (page) => {
       await choose(page, name, content);
       await reads(page, '#notice-text', typeof said === 'string' ? `This cannot be played: ${said}.` : said);
       await reads(page, '#state', 'Fine');
+    });
+  }
+
+  // What the command reads, the page reads: the same frames, and the file's own times.
+  const words = (bytes) => bytes.map((byte) => byte.toString(16).padStart(2, '0')).join(' ');
+  const lines = (form) => `${frames.map(form).join('\n')}\n`;
+  const times = frames.map((bytes, i) => `${9000 * i - 12345} ${words(bytes)}`).join('\n');
+  const levels = edges(times.replace(/^(-?\d+)/gm, (us) => String(Number(us) + 20000)), 0);
+  for (const [what, name, content] of [
+    ['a capture that begins before its trigger', 'wire.csv', `Time [s],S\n${levels.map(([us, high]) => `${((us - 20000) / 1e6).toFixed(6)},${high}\n`).join('')}`],
+    ['a recording of one', 'wire.txt', `# 100000 baud, 8E2, inverted\n${times}\n`],
+    ['a list of Python', 'list.txt', lines((bytes) => `[${bytes.join(', ')}]`)],
+    ['a dump', 'dump.txt', frames.flat().map((_, i, all) => (i % 16 ? '' : `${i.toString(16).padStart(8, '0')}  ${words(all.slice(i, i + 16))}\n`)).join('')],
+    ['a log', 'log.txt', lines((bytes, i) => `I (123${i}) sbus: ${words(bytes)}`)],
+    ['raw bytes', 'bytes', Buffer.from(frames.flat())],
+    ['raw bytes that went through UTF-8', 'utf8', Buffer.from(Buffer.from(frames.flat()).toString('latin1'), 'utf8')],
+    ['JSON lines', 'lines.json', lines((bytes, i) => JSON.stringify({ type: 'frame', time_us: 9000 * i - 12345, channels: bytes.slice(0, 16) }))],
+  ]) {
+    await check(`${what} is read as the command reads it`, async (page) => {
+      const file = path.join(build, name);
+      writeFileSync(file, content);
+      await choose(page, name, content);
+      await reads(page, '#title', new RegExp(`^(Capture|Recording) ${name}`));
+      await toEnd(page);
+      const shown = rows((await downloaded(page, '#csv')).text).map((row) => row.split(',').map(Number));
+      const printed = execFileSync(process.env.SCOPE_SBUS, ['csv', file, '--every-frame', '--columns', 'time,ch1-ch16'], { stdio: ['ignore', 'pipe', 'ignore'] });
+      const wanted = printed.toString().trim().split('\n').map((row) => row.split(',').map(Number));
+      assert.equal(wanted.length, 3);
+      assert.deepEqual(shown.map((row) => row.slice(1, 17)), wanted.map((row) => row.slice(1)));
+      if (!Number.isNaN(wanted[0][0])) {
+        assert.deepEqual(shown.map(([time]) => Math.round(time * 1e5)), wanted.map(([time]) => Math.round(time * 1e5)));
+      }
     });
   }
 

@@ -76,7 +76,7 @@ export default async function () {
         assert.deepEqual([found.spans[kind].count, found.spans[kind].us], [spans.length, us], `${file}: ${name}`);
       });
       const html = page.words(page.wasm.flightPage());
-      assert.equal(html, sbus('summary', '--html', '-', file), file);
+      assert.equal(html, sbus('summary', '-o', '-', file), file);
       assert.ok(html.includes(found.text), file);
       severities.add(found.severity);
     }
@@ -103,7 +103,7 @@ export default async function () {
       await play(page, file);
       await known(page);
       const text = sbus('summary', file);
-      const verdict = /class="verdict [a-z]+">([^<]*)/.exec(sbus('summary', '--html', '-', file))[1];
+      const verdict = /class="verdict [a-z]+">([^<]*)/.exec(sbus('summary', '-o', '-', file))[1];
       assert.equal(await page.textContent('#report-text'), verdict);
       const facts = await page.textContent('#report-facts');
       const [, frames, lost, failsafe, discarded, errors] = /, (\d+) frames, (\d+) with the lost-frame flag, (\d+) in failsafe; (\d+) discarded bytes, (\d+) character/.exec(text);

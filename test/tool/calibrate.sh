@@ -25,7 +25,7 @@ CH6 172 992 1811'
 while IFS='|' read -r keys words options; do
   rm -f "$work/file"
   # shellcheck disable=SC2086  # they are words
-  "$SBUS" calibrate sim:calibration${words:+,$words} --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
+  "$SBUS" calibrate sim:calibration${words:+,$words} --simulated-time $options -o "$work/file" <"$work/$keys" 2>"$work/err" &&
     grep -v 'still: let go' "$work/err" >"$work/steps" && printf '%s\n%s:\n%s\n' "$steps" "$work/file" "$table" | cmp - "$work/steps" && echo "$table" | cmp - "$work/file"
   verdict $? "calibrate sim:$words $options, with Enter as in $keys, announces each step and finds the ranges of CH1 to CH6"
 done <<'END'
@@ -63,7 +63,7 @@ unplug() { kill "$player" && wait "$player"; }
 says() { until_true grep -q "$1" "$work/err"; }
 mkfifo "$work/keys"
 moves move
-timeout 60 "$SBUS" calibrate "$work/adapter" "$work/radio.txt" <"$work/keys" 2>"$work/err" &
+timeout 60 "$SBUS" calibrate "$work/adapter" -o "$work/radio.txt" <"$work/keys" 2>"$work/err" &
 calibrating=$!
 exec 3>"$work/keys"
 echo >&3 && says 'CH1 .*Then press Enter\.$'
@@ -98,7 +98,7 @@ rm "$work/adapter"  # a library has no links, not even in build/
 while IFS='|' read -r keys source options message; do
   rm -f "$work/file"
   # shellcheck disable=SC2086  # they are words
-  ! "$SBUS" calibrate "$source" --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
+  ! "$SBUS" calibrate "$source" --simulated-time $options -o "$work/file" <"$work/$keys" 2>"$work/err" &&
     [ "$(tail -n 1 "$work/err")" = "sbus calibrate: $message" ] && [ ! -e "$work/file" ]
   verdict $? "calibrate $source $options says: $message"
 done <<'END'

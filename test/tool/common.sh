@@ -24,7 +24,7 @@ player() {
 record_for() {  # SECONDS SOURCE
   lasting=$work/lasting.txt
   rm -f "$lasting"
-  "$SBUS" record "$2" "$lasting" --simulated-time --seconds "$1" 2>"$work/lasting.err"
+  "$SBUS" record "$2" -o "$lasting" --simulated-time --seconds "$1" 2>"$work/lasting.err"
 }
 has_terminal() { read -r terminal <"$work/terminal"; } 2>/dev/null  # a whole line
 

@@ -140,7 +140,7 @@ verdict $? "it says that the contents did not show the delay, and that it is not
 
 # ---- The wire and a port, files and sources of other kinds
 
-"$SBUS" record sim "$work/sim.txt" --simulated-time --seconds 14 2>"$work/err"
+"$SBUS" record sim -o "$work/sim.txt" --simulated-time --seconds 14 2>"$work/err"
 "$SBUS" wave "$work/sim.txt" -o "$work/sim.vcd"
 compare sim.txt sim.vcd
 read -r a b x y same rest <"$work/sum"

@@ -8,11 +8,11 @@ cd "$(dirname "$0")/.." || exit 1
 # Lines of each variant, clean and with noise: S.BUS2, end byte 08 with five more bytes, 24 and 32 channels.
 cp recordings/sbus2.txt "$work/real-sbus2.txt"
 for line in 16 24 32 sbus2; do
-  "$SBUS" record sim:$line "$work/$line.txt" --simulated-time --seconds 3 2>"$work/err"
+  "$SBUS" record sim:$line -o "$work/$line.txt" --simulated-time --seconds 3 2>"$work/err"
 done
 awk '/^#/ || NF != 26 { print; next } { $26 = "08"; print $0, "00 03 C0 33 00" }' "$work/16.txt" >"$work/08.txt"
 for name in 16 24 32 sbus2 08; do
-  "$SBUS" record "$work/$name.txt:noise=40" "$work/$name-noise.txt" --simulated-time 2>"$work/err"
+  "$SBUS" record "$work/$name.txt:noise=40" -o "$work/$name-noise.txt" --simulated-time 2>"$work/err"
 done
 python3 - "$SBUS" "$work" "$work"/*.txt <<'END'
 import json, os, subprocess, sys

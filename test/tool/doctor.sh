@@ -53,7 +53,7 @@ kill $player
 player send sim:silent
 asked 1 'No signal:' - "$terminal"
 kill $player
-player send golden/AllChannels.csv --csv --loop
+player send golden/AllChannels.csv --rows --loop
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 
@@ -83,7 +83,7 @@ done <<END
 sbus2 15 16 0 All well.
 END
 adapter 16 9 16 200
-"$SBUS" record "$terminal" "$work/adapter.txt" 2>"$work/err"
+"$SBUS" record "$terminal" -o "$work/adapter.txt" 2>"$work/err"
 grep -q '^[0-9]*~[0-9]* ' "$work/adapter.txt" && "$SBUS" hex "$work/adapter.txt" >"$work/adapter.hex" &&
   [ "$(grep -c ' frame ' "$work/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$work/adapter.txt" | grep -qx 'All well.'
 verdict $? "a recording from an adapter at 16 ms keeps its reads, so its frames are found again"

@@ -26,7 +26,7 @@ END
 
 # ---- Files
 
-"$SBUS" record sim "$work/sim.txt" --simulated-time --seconds 60 2>"$work/err"
+"$SBUS" record sim -o "$work/sim.txt" --simulated-time --seconds 60 2>"$work/err"
 "$SBUS" csv sim --simulated-time --seconds 1.8 --every-frame --columns ch1 >"$work/wanted"
 # faulty EIO ARGUMENTS...: its output in $work/out and $work/err
 faulty() {
@@ -49,14 +49,14 @@ timeout 60 head -n 4000 "$work/sim.txt" >"$work/pipe" 2>"$work/note" &
 ! faulty read,pipe,50000 hex pipe && grep -q '^sbus hex: pipe: cannot be read .*(Input/output error)' "$work/err" || { cat "$work/err"; false; }
 verdict $? "a pipe that fails is named: $(tail -n 1 "$work/err")"
 wait
-! faulty write,out.txt,100000 record sim out.txt --simulated-time --seconds 60 &&
+! faulty write,out.txt,100000 record sim -o out.txt --simulated-time --seconds 60 &&
   says "sbus record: out.txt: could not be written completely (Input/output error); what was written before is valid; check the disk, or write elsewhere" &&
   "$SBUS" csv "$work/out.txt" --every-frame --columns ch1 >"$work/rows" && begins "$work/rows"
 verdict $? "a recording on a disk that fails ends there, and is valid"
-! faulty write,dir,60000 watch sim --simulated-time --seconds 60 --when failsafe --record dir && says "sbus watch: dir: 4 recordings are incomplete; the reasons are above" &&
+! faulty write,dir,60000 watch sim --simulated-time --seconds 60 --when failsafe -o dir && says "sbus watch: dir: 4 recordings are incomplete; the reasons are above" &&
   [ "$(ls "$work/dir")" = sbus-000001.txt ] && "$SBUS" summary "$work/dir/sbus-000001.txt" >"$work/out"
 verdict $? "watch on a disk that fails: each event says so, the first file is valid, and no file is empty"
 rm -rf "$work/dir"
-! faulty fsync,dir,0 watch sim --simulated-time --seconds 60 --when failsafe --record dir && grep -q 'sbus-000001.txt: could not be written completely (Input/output error)' "$work/err" &&
+! faulty fsync,dir,0 watch sim --simulated-time --seconds 60 --when failsafe -o dir && grep -q 'sbus-000001.txt: could not be written completely (Input/output error)' "$work/err" &&
   for each in "$work"/dir/*; do "$SBUS" summary "$each" >"$work/out" || break; done
 verdict $? "watch on a disk that does not keep what it was given"

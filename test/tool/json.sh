@@ -26,13 +26,13 @@ run telemetry recordings/sbus2.txt
 for unit in us percent; do
   run hex sim --simulated-time --seconds 0.1 --unit $unit
 done
-run watch sim --simulated-time --seconds 20 --when failsafe --record "$work/events"
+run watch sim --simulated-time --seconds 20 --when failsafe -o "$work/events"
 run compare sim sim:noise=20 --simulated-time --seconds 5
 "$SBUS" hex sim --simulated-time --seconds 5 --json | sed '100s/\[[0-9]*,/[2000,/' >"$work/other.json"
 run compare sim "$work/other.json" --simulated-time --seconds 5
 run ports
 run hex sim --seconds 0.2  # in real time
-"$SBUS" record sim:noise=20 "$work/port.txt" --simulated-time --seconds 0.5 2>"$work/err"
+"$SBUS" record sim:noise=20 -o "$work/port.txt" --simulated-time --seconds 0.5 2>"$work/err"
 sed -E '/^#/!s/^[0-9]+/&~18000/' "$work/port.txt" >"$work/late.txt"
 run hex "$work/late.txt"
 python3 - "$work/all" ../extras/cli/sbus.1 "$SBUS" <<'END'

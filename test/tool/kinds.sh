@@ -51,12 +51,12 @@ verdict $? "there are 30 kinds of files"
 run() {  # SUBCOMMAND 'FILE OPTION...', in $work: what it prints, without the file's name
   # shellcheck disable=SC2086  # the arguments are words
   case $1 in
-    record) "$SBUS" record $2 - ;;
+    record) "$SBUS" record $2 -o - ;;
     send) "$SBUS" send $2 --port /dev/null ;;  # says that this is no port, once the file is read
     monitor) "$SBUS" monitor $2 --simulated-time ;;
     csv) "$SBUS" csv $2 --every-frame --columns time,ch1-ch18,failsafe ;;
     decode) "$SBUS" decode $2 ;;
-    report) "$SBUS" summary $2 --html - ;;
+    report) "$SBUS" summary $2 -o - ;;
     *) "$SBUS" "$1" $2 ;;
   esac 2>&1 | sed -e 's#standard input#input#; s#^\(sbus [a-z]*: \)*-:#\1input:#; s#^-,#input,#; s#record -\(:.*\)*$#record input\1#' \
     -e 's#decode -$#decode input#; s#<input$#<-#; s#, sigrok session:#, VCD:#'

@@ -110,11 +110,11 @@ verdict $? "space pauses"
 close
 
 # The recording grows while the page is shown, and is complete after q.
-open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$work/seen.txt\"; echo back; sleep 1000'" && shows ' ok'
+open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim -o \"$work/seen.txt\"; echo back; sleep 1000'" && shows ' ok'
 until_true has_lines 101 "$work/seen.txt"
 tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$work/seen.txt")" ] &&
   frames=$("$SBUS" hex "$work/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 with errors), $frames frames" "$work/page.txt"
-verdict $? "monitor --record works while the page is shown"
+verdict $? "monitor -o works while the page is shown"
 close
 
 # ---- The terminal afterwards

@@ -4,7 +4,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tool/common.sh
 
-"$SBUS" record sim "$work/flight.txt" --simulated-time --seconds 2000 2>"$work/err"
+"$SBUS" record sim -o "$work/flight.txt" --simulated-time --seconds 2000 2>"$work/err"
 
 # progress.py KIND ARGUMENTS...: standard error is a terminal. KIND "long": waits for the progress, and ends the program;
 # "file": the program stops for 2 s while it reads the file that is the last argument, and then reads on to its end.

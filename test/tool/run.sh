@@ -89,7 +89,7 @@ verdict $? "a line shorter than 0.2 s has a row with its newest frame"
 verdict $? "a full standard output is reported and is a failure"
 ! "$sbus" hex --help >/dev/full 2>"$work/err"
 verdict $? "help also fails if standard output is full"
-"$sbus" record sim "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
+"$sbus" record sim -o "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
 verdict $? "if standard error is closed, no message gets into the recording"
 "$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
   "$sbus" hex sim:silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
@@ -180,8 +180,8 @@ verdict $? "monitor shows rows with times"
 
 # ---- Recorders and players
 
-"$sbus" record sim "$work/sim.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
-  "$sbus" record sim - --simulated-time --seconds 0.2 2>"$work/err" | cmp - "$work/sim.txt"
+"$sbus" record sim -o "$work/sim.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
+  "$sbus" record sim -o - --simulated-time --seconds 0.2 2>"$work/err" | cmp - "$work/sim.txt"
 verdict $? "record also writes to standard output"
 
 # characters RECORDING: each character with its time, one a line
@@ -190,13 +190,13 @@ characters() {
 }
 mkdir "$work/verdicts"
 verdicts/lines.sh "$work/verdicts"
-"$sbus" record sim:noise=100 "$work/noisy.txt" --simulated-time --seconds 2 2>"$work/err"
+"$sbus" record sim:noise=100 -o "$work/noisy.txt" --simulated-time --seconds 2 2>"$work/err"
 grep -q '!' "$work/noisy.txt" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
 verdict $? "a noisy line is recorded, with the marks of errors"
 for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordings/sbus2.txt recordings/board/rows.txt "$work/verdicts/fast.txt" "$work/verdicts/adapter-24.txt"; do
   rm -f "$work/copy.txt" "$work/again.txt"
   us=$(case $recording in *fast*) echo 60 ;; *rows*) echo 86 ;; *) echo 120 ;; esac)
-  "$sbus" record "$recording" "$work/copy.txt" 2>"$work/err" && "$sbus" record "$work/copy.txt" "$work/again.txt" 2>>"$work/err"
+  "$sbus" record "$recording" -o "$work/copy.txt" 2>"$work/err" && "$sbus" record "$work/copy.txt" -o "$work/again.txt" 2>>"$work/err"
   characters "$recording" "$us" | tr a-f A-F >"$work/characters" && [ -s "$work/characters" ] &&
     characters "$work/again.txt" "$us" | cmp - "$work/characters" && grep -v '^#' "$work/copy.txt" >"$work/lines.copy" &&
     grep -v '^#' "$work/again.txt" | cmp - "$work/lines.copy"
@@ -205,27 +205,27 @@ done
 awk '!/^#/ { printf "%.6f\n", ($1 + 120 * (NF - 2)) / 1e6 }' recordings/paper.txt >"$work/ends"
 "$sbus" hex recordings/paper.txt | awk '{ print $1 }' | cmp - "$work/ends" &&
   "$sbus" csv recordings/paper.txt --every-frame --columns time,ch1 | cut -d, -f1 | cmp - "$work/ends" &&
-  "$sbus" record recordings/paper.txt - 2>&1 >"$work/out" | grep -q ': 0.4 s, 150 characters'
+  "$sbus" record recordings/paper.txt -o - 2>&1 >"$work/out" | grep -q ': 0.4 s, 150 characters'
 verdict $? "times are those of the recording"
-"$sbus" monitor sim --simulated-time --seconds 0.2 >"$work/lines" && "$sbus" record sim "$work/record.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
-  "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
+"$sbus" monitor sim --simulated-time --seconds 0.2 >"$work/lines" && "$sbus" record sim -o "$work/record.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
+  "$sbus" monitor sim --simulated-time --seconds 0.2 -o "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
   sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 with errors\), [1-9][0-9]* frames$' "$work/err"
-verdict $? "monitor --record writes what record writes, and shows what monitor shows"
-rejected "sbus monitor: $work/monitor.txt: already exists; name another file, or remove it" monitor sim --record "$work/monitor.txt"
-rejected "sbus monitor: /dev/full: could not be written completely (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full
-"$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
-verdict $? "monitor --record writes a sketch's rows unchanged"
+verdict $? "monitor -o writes what record writes, and shows what monitor shows"
+rejected "sbus monitor: $work/monitor.txt: already exists; name another file, or remove it" monitor sim -o "$work/monitor.txt"
+rejected "sbus monitor: /dev/full: could not be written completely (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 -o /dev/full
+"$sbus" monitor golden/AllChannels.csv --simulated-time -o "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
+verdict $? "monitor -o writes a sketch's rows unchanged"
 
 
 player send recordings/paper.txt
-"$sbus" record "$terminal" "$work/paper.txt" 2>"$work/err"
+"$sbus" record "$terminal" -o "$work/paper.txt" 2>"$work/err"
 status=$?
 wait "$player" && [ $status -eq 0 ] && marked recordings/paper.txt >"$work/paper.bytes" &&
   bytes "$work/paper.txt" | cmp - "$work/paper.bytes"
 verdict $? "bytes sent through a pseudo-terminal are recorded exactly"
 
-player send golden/AllChannels.csv --csv --speed 20
-"$sbus" record "$terminal" "$work/rows.csv" 2>"$work/err"
+player send golden/AllChannels.csv --rows --speed 20
+"$sbus" record "$terminal" -o "$work/rows.csv" 2>"$work/err"
 [ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, not S.Bus" ] &&
   sed 1d "$work/rows.csv" | cmp - golden/AllChannels.csv
 verdict $? "a sketch's rows are recorded unchanged"
@@ -233,7 +233,7 @@ wait "$player"
 
 for signal in INT TERM HUP KILL; do
   player send sim
-  "$sbus" record "$terminal" "$work/$signal.txt" 2>"$work/err" &
+  "$sbus" record "$terminal" -o "$work/$signal.txt" 2>"$work/err" &
   recorder=$!
   until_true has_lines 100 "$work/$signal.txt" && kill -$signal $recorder
   wait $recorder 2>/dev/null
@@ -246,7 +246,7 @@ for signal in INT TERM HUP KILL; do
 done
 
 # A disk with room for 8 KB: a write in the middle of a line fails.
-(trap '' XFSZ; ulimit -f 16; "$sbus" record sim "$work/full.txt" --simulated-time --seconds 5) 2>"$work/err"
+(trap '' XFSZ; ulimit -f 16; "$sbus" record sim -o "$work/full.txt" --simulated-time --seconds 5) 2>"$work/err"
 [ $? -eq 1 ] && is_whole "$work/full.txt" && [ "$(wc -c <"$work/full.txt")" -gt 8000 ] &&
   grep -q "^sbus record: .*full.txt: could not be written completely (File too large); what was written before is valid" "$work/err"
 verdict $? "a full disk is an error, and the recording is complete up to that point"
@@ -256,7 +256,7 @@ record_for 1 sim
 player send "$lasting"
 ln -sf "$terminal" "$work/adapter"
 first=$player
-"$sbus" record "$work/adapter" "$work/replugged.txt" 2>"$work/replugged.err" &
+"$sbus" record "$work/adapter" -o "$work/replugged.txt" 2>"$work/replugged.err" &
 recorder=$!
 wait "$first"
 until_true grep -q 'the port is gone' "$work/replugged.err"
@@ -291,7 +291,7 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
+for part in wire hex files kinds captures counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
 done

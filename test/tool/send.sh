@@ -48,7 +48,7 @@ verdict $? "send ends with Ctrl-C"
 
 record_for 0.5 ch1=1000
 player send "$lasting"
-"$SBUS" record "$terminal" "$work/terminal.txt" 2>"$work/note" && wait $player &&
+"$SBUS" record "$terminal" -o "$work/terminal.txt" 2>"$work/note" && wait $player &&
   grep -v '^#' "$work/terminal.txt" | tr ' ' '\n' | grep -vc '~\|...' | grep -qx 1400
 verdict $? "send without a port creates a pseudo-terminal"
 
@@ -72,7 +72,7 @@ verdict $? "send sends a sketch's rows"
 # ---- Passes of --loop
 
 awk 'BEGIN { for (i = 1; i <= 40; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", 5000 + i * 9000, i }' >"$work/loop.json"
-"$SBUS" record "$work/loop.json" "$work/loop.txt" 2>"$work/err"
+"$SBUS" record "$work/loop.json" -o "$work/loop.txt" 2>"$work/err"
 for file in loop.json loop.txt; do
   while read -r first last arguments; do
     # shellcheck disable=SC2086  # the arguments are words

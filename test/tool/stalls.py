@@ -172,7 +172,7 @@ CHAINS = {
     "fly": [["SBUS", "bridge", "PORT", "-"], ["python3", "-c", FLY], SEND],
     "own": [["SBUS", "bridge", "PORT", "-"], ["python3", "-c", OWN], SEND],
     "jq": [["SBUS", "hex", "--json", "PORT"], ["jq", "-c", "--unbuffered", "."], SEND],
-    "record": [["SBUS", "record", "PORT", "-"], SEND],
+    "record": [["SBUS", "record", "PORT"], SEND],
     "rows": [["SBUS", "csv", "PORT", "--every-frame", "--header", "--columns", "time,ch1-ch16"], SEND],
     "cat": [["cat", "PORT"], ["SBUS", "bridge", "-", "DEV"]],
     "bytes": [["cat", "PORT"], SEND],

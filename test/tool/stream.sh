@@ -16,7 +16,7 @@ same() {  # LINE WHAT COMMAND...: of $work/LINE.txt, standard input is JSON line
   verdict $? "$* of $what of a line with $line"
 }
 for words in 16 24 32 sbus2 16,noise=30 24,noise=30 32,noise=30 sbus2,noise=30; do
-  "$SBUS" record "sim:$words" "$work/$words.txt" --simulated-time --seconds 11 2>"$work/err"
+  "$SBUS" record "sim:$words" -o "$work/$words.txt" --simulated-time --seconds 11 2>"$work/err"
   for command in hex 'hex --values' 'csv --every-frame --columns time,ch1-ch16,failsafe,lostframe,state' telemetry; do
     case $words$command in sbus2*) ;; *telemetry) continue ;; esac
     # shellcheck disable=SC2086  # a subcommand and its options
@@ -101,7 +101,7 @@ done
 verdict $? "a comment needs no line end"
 printf 'CH1,CH2\n1,992\n2,992\n3,99' >"$work/sketch.csv"
 "$SBUS" monitor "$work/sketch.csv" --simulated-time >"$work/out" && grep -q ' ok  2 992 ' "$work/out" && ! grep -q ' 3 99 ' "$work/out" &&
-  "$SBUS" record "$work/sketch.csv" - 2>"$work/err" | grep -c ,99 | grep -qx 2
+  "$SBUS" record "$work/sketch.csv" -o - 2>"$work/err" | grep -c ,99 | grep -qx 2
 verdict $? "a sketch's last row without a line end is not shown, and not recorded"
 
 # ---- While it is being written: each frame has passed all stages before the next one is sent
@@ -157,7 +157,7 @@ live 'hex --json, csv' '"$SBUS" hex --json PORT | "$SBUS" csv - --every-frame --
 # shellcheck disable=SC2016
 live 'hex --json, jq, csv' '"$SBUS" hex --json PORT | jq -c --unbuffered "select(.type == \"frame\") | .channels[1] = 1811" | "$SBUS" csv - --every-frame --columns ch1'
 # shellcheck disable=SC2016
-live 'record, csv' '"$SBUS" record PORT - | "$SBUS" csv - --every-frame --columns ch1'
+live 'record, csv' '"$SBUS" record PORT -o - | "$SBUS" csv - --every-frame --columns ch1'
 # shellcheck disable=SC2016
 live 'rows of csv, csv' '"$SBUS" csv PORT --every-frame --header --columns time,ch1-ch16 | "$SBUS" csv - --every-frame --columns ch1'
 
@@ -182,7 +182,7 @@ done <<'END'
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"failsafe":"no"}|1: failsafe: "no" is not true or false
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"first":2}|1: first: 2 is not 1, or 17 of a frame with header 2F
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"end":4}|1: end: 4 is not an end byte in hexadecimal, such as "00"
-{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"time_us":-1}|1: time_us: -1 is not a time in microseconds
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"time_us":-1e99}|1: time_us: -1e+99 is not a time in microseconds
 {"type":"slot","slot":32,"data":[1,2]}|1: a slot has slot, 0 to 31, and data, two numbers from 0 to 255
 {"type":"no_frame","bytes":"0G"}|1: bytes: bytes in hexadecimal are expected, such as "0F E3"
 {"type":frame}|1: "{"type":frame}" is not a JSON object; JSON lines as sbus hex --json writes them are expected
@@ -206,11 +206,11 @@ verdict $? "a time of another line is an error"
 
 # ---- When it was
 
-"$SBUS" record sim "$work/dated.txt" --seconds 0.2 2>"$work/err"
+"$SBUS" record sim -o "$work/dated.txt" --seconds 0.2 2>"$work/err"
 grep -qE '^# format 1, began 20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\.[0-9]{6}Z$' "$work/dated.txt" &&
   [ "$(sed -n 's/^# format 1, began //p' "$work/dated.txt")" = "$("$SBUS" hex "$work/dated.txt" --json | sed -n '1s/.*"start":"\([^"]*\)".*/\1/p')" ]
 verdict $? "a recording has its date, and hex --json repeats it"
-"$SBUS" record "$work/dated.txt" "$work/copy.txt" 2>"$work/err" && grep -v '^# sbus' "$work/dated.txt" >"$work/wanted" &&
+"$SBUS" record "$work/dated.txt" -o "$work/copy.txt" 2>"$work/err" && grep -v '^# sbus' "$work/dated.txt" >"$work/wanted" &&
   grep -v '^# sbus' "$work/copy.txt" | cmp - "$work/wanted"
 verdict $? "a copy of a recording keeps its date"
 ! "$SBUS" hex recordings/paper.txt --json | grep -q '"start"'

@@ -56,17 +56,17 @@ verdict $? "summary --json of a flight has the same figures"
 "$SBUS" hex --json "$work/flight.txt" | head -n 51 | head -c -10 >"$work/cut.json"
 "$SBUS" summary "$work/cut.json" >"$work/text" 2>"$work/err"
 [ $? -eq 1 ] && grep -q ': S.BUS, 49 frames, 3 with the lost-frame flag' "$work/text" && grep -q 'ends within an object' "$work/err" &&
-  ! "$SBUS" summary "$work/cut.json" --html "$work/cut.html" 2>"$work/err" && [ -s "$work/cut.html" ]
+  ! "$SBUS" summary "$work/cut.json" -o "$work/cut.html" 2>"$work/err" && [ -s "$work/cut.html" ]
 verdict $? "summary of truncated JSON lines has the frames up to there, and fails"
 sed 's/^[0-9]* /9&/' "$work/flight.txt" >"$work/late.txt"
 { "$SBUS" summary "$work/late.txt" && "$SBUS" hex "$work/late.txt" && "$SBUS" csv "$work/late.txt" --every-frame &&
-  "$SBUS" watch "$work/late.txt" --when ok --record "$work/events" && "$SBUS" compare "$work/late.txt" "$work/late.txt"; } >"$work/text" 2>"$work/err"
+  "$SBUS" watch "$work/late.txt" --when ok -o "$work/events" && "$SBUS" compare "$work/late.txt" "$work/late.txt"; } >"$work/text" 2>"$work/err"
 [ $? -eq 0 ] && [ ! -s "$work/err" ] || { cat "$work/err"; false; }
 verdict $? "a recording with times that begin late does not count as silent"
 
 # ---- The report: the same flight as a page
 
-"$SBUS" summary "$work/flight.txt" --html "$work/flight.html" && sed 's/<[^>]*>/ /g' "$work/flight.html" >"$work/words"
+"$SBUS" summary "$work/flight.txt" -o "$work/flight.html" && sed 's/<[^>]*>/ /g' "$work/flight.html" >"$work/words"
 while read -r words; do
   grep -q "$words" "$work/words"
   verdict $? "the report has: $words"
@@ -83,13 +83,13 @@ END
 verdict $? "the report's strip shows both seconds and their losses"
 [ "$(grep -c 'class="curve ' "$work/flight.html")" -eq 4 ] && [ "$(grep -o 'https*://[a-z0-9.]*' "$work/flight.html" | sort -u)" = http://www.w3.org ]
 verdict $? "the report has four curves, and needs no other file"
-"$SBUS" record sim "$work/well.txt" --simulated-time --seconds 9 2>"$work/err" && sed '/ 0[4-7] 00$/d' "$work/well.txt" >"$work/gaps.txt"
+"$SBUS" record sim -o "$work/well.txt" --simulated-time --seconds 9 2>"$work/err" && sed '/ 0[4-7] 00$/d' "$work/well.txt" >"$work/gaps.txt"
 for line in 'gaps.txt|warning' 'well.txt|warning' 'clean.txt|good'; do
   case $line in clean*) awk '/^#/ { print; next } { $25 = "00"; print }' "$work/well.txt" >"$work/clean.txt" ;; esac
-  "$SBUS" summary "$work/${line%|*}" --html - | grep -o 'class="verdict [a-z]*">[^<]*' | tee "$work/verdict" | grep -q "verdict ${line#*|}\""
+  "$SBUS" summary "$work/${line%|*}" -o - | grep -o 'class="verdict [a-z]*">[^<]*' | tee "$work/verdict" | grep -q "verdict ${line#*|}\""
   verdict $? "the report's verdict on ${line%|*}: $(sed 's/.*>//' "$work/verdict")"
 done
-[ "$("$SBUS" summary "$work/gaps.txt" --html - | grep -c '<rect class="lost"')" -ge 7 ]
+[ "$("$SBUS" summary "$work/gaps.txt" -o - | grep -c '<rect class="lost"')" -ge 7 ]
 verdict $? "the report's strip shows missing frames"
 [ "$("$SBUS" summary sim --simulated-time --seconds 60 | grep -A 21 '^lost frames' | grep -c ' s to ')" -eq 20 ] &&
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
@@ -126,7 +126,7 @@ verdict $? "summary without a frame fails"
 
 # ---- Parts of a file
 
-"$SBUS" record sim "$work/sim.txt" --simulated-time --seconds 12 2>"$work/err"
+"$SBUS" record sim -o "$work/sim.txt" --simulated-time --seconds 12 2>"$work/err"
 "$SBUS" wave "$work/sim.txt" -o "$work/sim.vcd"
 for file in sim.txt sim.vcd; do
   "$SBUS" hex "$work/$file" | awk '$1 - 0.003 >= 9.305 && $1 <= 10.697 && / frame end /' >"$work/wanted" && [ "$(wc -l <"$work/wanted")" -ge 150 ] &&
@@ -156,8 +156,8 @@ verdict $? "--from of a file reports no silence"
 awk 'BEGIN { for (i = 0; i < 400; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%s992,992,992,992,992,992,992,992,992,992,992,992]}\n", 9000 * i + 4000, (i >= 200 && i < 311 ? "0,0,0,0," : "992,992,172,992,") }' >"$work/pulses.json"
 "$SBUS" summary "$work/pulses.json" >"$work/out" && grep -A 1 '^no pulses' "$work/out" | paste -sd ' ' | grep -qx 'no pulses    1 time, 0.999 s in all          1.804 s to      2.803 s      0.999 s' &&
   "$SBUS" summary "$work/pulses.json" --json | grep -qx '{"type":"span","kind":"no_pulses","from_us":1804000,"to_us":2803000}' &&
-  "$SBUS" summary "$work/pulses.json" --html - | grep -q 'No pulses (0 on CH1 to CH4, without a flag) 1 time, 1.0 s in all' || { cat "$work/out"; false; }
+  "$SBUS" summary "$work/pulses.json" -o - | grep -q 'No pulses (0 on CH1 to CH4, without a flag) 1 time, 1.0 s in all' || { cat "$work/out"; false; }
 verdict $? "summary lists 0 on CH1 to CH4 without a flag: $(grep -A 1 '^no pulses' "$work/out" | tr -s ' ')"
-(cd "$work" && "$SBUS" watch pulses.json --when nopulses --record pulses --before 0 --after 0 --json) >"$work/out" 2>"$work/err"
+(cd "$work" && "$SBUS" watch pulses.json --when nopulses -o pulses --before 0 --after 0 --json) >"$work/out" 2>"$work/err"
 [ "$(sed -n 's/.*"event","time_us":\([0-9]*\).*"kind":"\([a-z]*\)".*/\1 \2/p' "$work/out" | paste -sd ,)" = "1804000 begin,2803000 end" ] || { cat "$work/out" "$work/err"; false; }
 verdict $? "watch --when nopulses records them"

@@ -41,11 +41,11 @@ bytes='0F 0A 0D 0A 1A 0D 0D 0A 1A 0A 0D 0A 1A 0A 0D 0A 1A 0A 0D 0A 1A 0A 0D 00 0
 [ "$(sbus hex "$work/line.bin" | grep -c "$bytes")" -ge 2 ] && [ "$(cat "$work/line.bin" | sbus hex - --simulated-time | grep -c "$bytes")" -ge 2 ]
 verdict $? "the bytes 0A, 0D and 1A stay unchanged"
 
-sbus record sim "$work/record.txt" --seconds 1 && sbus summary "$work/record.txt" --html "$work/page.html" >"$work/summary" &&
+sbus record sim -o "$work/record.txt" --seconds 1 && sbus summary "$work/record.txt" -o "$work/page.html" >"$work/summary" &&
   [ "$(tr -d '[:print:]\n' <"$work/record.txt" | wc -c)" -eq 0 ] && grep -q '</html>' "$work/page.html" &&
   [ "$(grep -vc '^#' "$work/record.txt")" -ge 50 ]
 verdict $? "a recording has plain lines, and a page"
-! sbus record sim "$work/record.txt" --seconds 1 2>"$work/err" && grep -q 'already exists' "$work/err"
+! sbus record sim -o "$work/record.txt" --seconds 1 2>"$work/err" && grep -q 'already exists' "$work/err"
 verdict $? "a recording is not overwritten"
 cp "$work/record.txt" "$work/copy.txt"
 ! sbus wave "$work/copy.txt" -o "$work/copy.txt" 2>"$work/err" && grep -q 'is also the input' "$work/err" && cmp "$work/record.txt" "$work/copy.txt" &&

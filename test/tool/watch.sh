@@ -15,7 +15,7 @@ events() { awk '{ printf "%s %s ", $3, $1 }'; }
 awk 'BEGIN { for (i = 1; i <= 1000; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992],\"ch17\":%d,\"lost_frame\":%d,\"failsafe\":%d}\n", i * 9000 + (i > 700) * 500000, i, (i >= 300), (i > 400 && i <= 410), (i > 500 && i <= 510) }' >"$work/flight.json"
 while IFS='|' read -r condition wanted; do
   rm -rf "$work/dir"
-  got=$(watch "$work/flight.json" --when "$(echo "$condition" | tr '/' '|')" --record "$work/dir" --after 0 | events)
+  got=$(watch "$work/flight.json" --when "$(echo "$condition" | tr '/' '|')" -o "$work/dir" --after 0 | events)
   [ "$got" = "$wanted" ] || { echo "$got"; cat "$work/err"; false; }
   verdict $? "$(echo "$condition" | tr '/' '|'): $wanted"
 done <<'END'
@@ -46,20 +46,20 @@ FAILSAFE//lostframe|begin 3.609 end 3.699 begin 4.509 end 4.599
 END
 
 rm -rf "$work/dir"
-watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 0 --after 0 >"$work/out"
+watch "$work/flight.json" --when 'ch1==500 || ch1==600' -o "$work/dir" --before 0 --after 0 >"$work/out"
 [ "$("$SBUS" csv "$work/dir/sbus-000002.txt" --every-frame --columns ch1 | tr '\n' ' ')" = "600 601 " ] && "$SBUS" summary "$work/dir/sbus-000002.txt" | grep -q ' 0 discarded bytes'
 verdict $? "with --before 0 a recording begins with the event's frame"
 rm -rf "$work/dir"
-watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 600 --after 0 >"$work/out"
+watch "$work/flight.json" --when 'ch1==500 || ch1==600' -o "$work/dir" --before 600 --after 0 >"$work/out"
 [ "$(cat "$work"/dir/*.txt >"$work/all.txt"; "$SBUS" csv "$work/all.txt" --every-frame --columns ch1)" = "$(seq 601)" ]
 verdict $? "no frame is missing between the recordings of two events"
 rm -rf "$work/dir"
-(ulimit -f 8; timeout 60 "$SBUS" watch "$work/flight.json" --when 'failsafe || ch1==900' --record "$work/dir" --before 3 --after 0 >"$work/out" 2>"$work/err")
+(ulimit -f 8; timeout 60 "$SBUS" watch "$work/flight.json" --when 'failsafe || ch1==900' -o "$work/dir" --before 3 --after 0 >"$work/out" 2>"$work/err")
 [ $? -eq 1 ] && grep -q 'could not be written' "$work/err" && [ "$("$SBUS" hex "$work/dir/sbus-000001.txt" 2>&1 | grep -c ' frame ')" -gt 20 ] && "$SBUS" hex "$work/dir/sbus-000002.txt" | grep -q ' frame '
 verdict $? "a limit on file size ends a recording like a full disk; the next event has one again"
 
 while IFS='|' read -r condition message; do
-  watch sim --when "$condition" --record "$work/none" >"$work/out"
+  watch sim --when "$condition" -o "$work/none" >"$work/out"
   [ $? -eq 2 ] && [ "$(head -n 1 "$work/err")" = "--when: \"$condition\": at character $message is expected" ] && [ ! -d "$work/none" ] || { cat "$work/err"; false; }
   verdict $? "--when \"$condition\": at character $message is expected"
 done <<'END'
@@ -79,25 +79,25 @@ END
 # ---- What is in a file
 
 rm -rf "$work/dir"
-watch "$work/flight.json" --when 'failsafe' --record "$work/dir" --before 1 --after 2 >"$work/out"
+watch "$work/flight.json" --when 'failsafe' -o "$work/dir" --before 1 --after 2 >"$work/out"
 "$SBUS" hex "$work/flight.json" | awk '$1 - 0.003 >= 3.509 && $1 <= 6.6' >"$work/part"
 "$SBUS" hex "$work/dir/sbus-000001.txt" >"$work/hex"
 [ "$(sed -n 1p "$work/hex")" = "$(sed -n 1p "$work/part")" ] && [ "$(tail -n 1 "$work/hex")" = "$(grep '^ *6.300000' "$work/part")" ] &&
   ! grep -vxFf "$work/part" "$work/hex" && ! grep -q ' - ' "$work/hex"
 verdict $? "a file has whole frames, from --before to --after: $(wc -l <"$work/hex") frames"
 rm -rf "$work/dir"
-watch "$work/flight.json" --when 'lostframe || failsafe' --record "$work/dir" --after 1 | events >"$work/out"
+watch "$work/flight.json" --when 'lostframe || failsafe' -o "$work/dir" --after 1 | events >"$work/out"
 [ "$(cat "$work/out")" = "begin 3.609 end 5.599 " ] && [ "$(ls "$work/dir")" = sbus-000001.txt ]
 verdict $? "an event within --after continues in the same file: $(cat "$work/out")"
 rm -rf "$work/dir"
-watch "$work/flight.json" --when ch17 --record "$work/dir" --longest 2 --before 0.1 >"$work/out"
+watch "$work/flight.json" --when ch17 -o "$work/dir" --longest 2 --before 0.1 >"$work/out"
 for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1; done >"$work/values"
 seq 290 1000 | diff - "$work/values" && [ "$(grep -c continued "$work/out")" -eq 3 ]
 verdict $? "a long event continues in other files, without a gap: $(ls "$work/dir" | wc -l) files"
 
 record_for 14 sim
 player send "$lasting"
-"$SBUS" watch "$terminal" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
+"$SBUS" watch "$terminal" --when failsafe -o "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
 wait "$player"
 file=$(ls "$work"/dated/*)
 began=$(sed -n 's/^# format 1, began //p' "$file")
@@ -125,7 +125,7 @@ import os, pty, subprocess, sys, time, tty
 master, slave = pty.openpty()
 tty.setraw(slave)
 sbus, folder, count = sys.argv[1:4]
-watch = subprocess.Popen([sbus, "watch", os.ttyname(slave), "--record", folder] + sys.argv[4:])
+watch = subprocess.Popen([sbus, "watch", os.ttyname(slave), "-o", folder] + sys.argv[4:])
 time.sleep(1)
 def frame(n):
     bits = sum(value << 11 * i for i, value in enumerate([n, 2000 if n // 10 % 4 == 3 else 0] + [992] * 14))
@@ -158,12 +158,12 @@ printf '%s\n' '#include <stdio.h>' 'extern "C" int fsync(int) { return puts("fsy
   g++ -shared -fPIC -x c++ - -o "$work/fsync.so"
 syncs() {
   rm -rf "$work/dir"
-  ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD="$work/fsync.so" timeout 60 "$SBUS" watch sim --seconds 2.5 --when 'ch1>0' --record "$work/dir" "$@" 2>"$work/err" | grep -c fsync
+  ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD="$work/fsync.so" timeout 60 "$SBUS" watch sim --seconds 2.5 --when 'ch1>0' -o "$work/dir" "$@" 2>"$work/err" | grep -c fsync
 }
 # One for the folder, one at the end.
 [ "$(syncs)" -ge 3 ] && [ "$(syncs)" -le 5 ] && [ "$(syncs --sync 0.1)" -gt 10 ] && [ "$(syncs --sync 0)" -eq 0 ]
 verdict $? "a file is written to the disk itself once a second, or as --sync says"
-"$SBUS" record sim "$work/whole.txt" --simulated-time --seconds 2 2>"$work/err"
+"$SBUS" record sim -o "$work/whole.txt" --simulated-time --seconds 2 2>"$work/err"
 frames=$("$SBUS" hex "$work/whole.txt" | grep -c ' frame ')
 for at in 5000 9000 end; do
   python3 - "$work/whole.txt" "$work/nul.txt" $at <<'END'
@@ -183,24 +183,24 @@ done
 rm -rf "$work/dir"
 mkdir "$work/dir"
 touch "$work/dir/sbus-000007-2020-01-01T00-00-00Z.txt" "$work/dir/sbus-notes.txt" "$work/dir/other.txt" "$work/dir/sbus-000001.txt.gz"
-watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' --record "$work/dir" --before 0 --after 0 --keep 3 >"$work/out"
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' -o "$work/dir" --before 0 --after 0 --keep 3 >"$work/out"
 [ "$(ls "$work/dir" | paste -sd ' ')" = "other.txt sbus-000001.txt.gz sbus-000009.txt sbus-000010.txt sbus-000011.txt sbus-notes.txt" ]
 verdict $? "--keep 3 keeps the newest three, and other files: $(ls "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
 mkdir "$work/dir"
 touch "$work/dir/sbus-999998.txt"
-watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210' --record "$work/dir" --before 0 --after 0 --keep 2 >"$work/out" &&
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210' -o "$work/dir" --before 0 --after 0 --keep 2 >"$work/out" &&
   [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-1000000.txt sbus-1000001.txt" ]
 verdict $? "numbers go on after 999999: $(ls "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
-watch sim --simulated-time --seconds 100 --when failsafe --record "$work/dir" --most 0.2 >"$work/out"
+watch sim --simulated-time --seconds 100 --when failsafe -o "$work/dir" --most 0.2 >"$work/out"
 [ "$(grep -c begin "$work/out")" -eq 6 ] && [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-000004.txt sbus-000005.txt sbus-000006.txt" ]
 verdict $? "--most 0.2 removes the oldest until there are 0.2 MB: $(du -bc "$work"/dir/* | tail -n 1 | cut -f1) bytes"
 
 # ---- Whatever happens
 
 player send sim
-"$SBUS" watch "$terminal" --when 'ch1>0' --record "$work/killed" >"$work/out" 2>"$work/err" &
+"$SBUS" watch "$terminal" --when 'ch1>0' -o "$work/killed" >"$work/out" 2>"$work/err" &
 watcher=$!
 is_long() { [ "$(cat "$work"/killed/* 2>/dev/null | wc -l)" -gt 100 ]; }
 until_true is_long
@@ -210,21 +210,21 @@ kill -INT "$player"
 wait "$player"
 [ -z "$(tail -c 1 "$work"/killed/*)" ] && "$SBUS" hex "$work"/killed/* >"$work/hex" && [ "$(grep -c ' frame ' "$work/hex")" -ge 90 ]
 verdict $? "a file is whole after SIGKILL: $(grep -c ' frame ' "$work/hex") frames"
-(trap '' XFSZ; ulimit -f 16; "$SBUS" watch sim --simulated-time --seconds 40 --when failsafe --record "$work/full") >"$work/out" 2>"$work/err"
+(trap '' XFSZ; ulimit -f 16; "$SBUS" watch sim --simulated-time --seconds 40 --when failsafe -o "$work/full") >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(grep -c 'sbus-00000[12].txt: could not be written completely (File too large); what was written before is valid' "$work/err")" -eq 2 ] &&
   [ "$(tail -n 1 "$work/err")" = "sbus watch: $work/full: 2 recordings are incomplete; the reasons are above" ] &&
   for file in "$work"/full/*; do [ -z "$(tail -c 1 "$file")" ] && "$SBUS" hex "$file" 2>&1 | grep -q ' frame ' || break; done
 verdict $? "a full disk is an error for each file, which is whole up to that point, and watching continues"
 touch "$work/file"
 for folder in "$work/file" "$work/no/such"; do
-  ! watch sim --when failsafe --record "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be created (.*); name a folder that can be written$" "$work/err"
+  ! watch sim --when failsafe -o "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be created (.*); name a folder that can be written$" "$work/err"
   verdict $? "watch says: $(cat "$work/err")"
 done
 
 # ---- Memory
 
-watched() { peak watch "$1" --when 'ch1<300' --record "$work/dir" --keep 5; }
-"$SBUS" record sim "$work/short.txt" --simulated-time --seconds 20 2>"$work/err"
+watched() { peak watch "$1" --when 'ch1<300' -o "$work/dir" --keep 5; }
+"$SBUS" record sim -o "$work/short.txt" --simulated-time --seconds 20 2>"$work/err"
 python3 - "$work/short.txt" "$work/long.txt" <<'END'
 import sys
 lines = [line.split(" ", 1) for line in open(sys.argv[1]) if line[0] != "#"]

@@ -74,7 +74,7 @@ verdict $? "decode --from --to prints the frames of a part: $(wc -l <"$work/part
 verdict $? "decode of an empty part says what there is: $(cat "$work/err")"
 
 # A line of 32 channels: half of them are in frames with header 2F. The CSV has one title, one width, and every channel.
-"$SBUS" record sim:32 --simulated-time --seconds 0.3 "$work/32.txt" 2>/dev/null &&
+"$SBUS" record sim:32 --simulated-time --seconds 0.3 -o "$work/32.txt" 2>/dev/null &&
   "$SBUS" wave "$work/32.txt" -o "$work/32.vcd" && "$SBUS" decode "$work/32.vcd" --csv >"$work/32.csv" &&
   [ "$(grep -c time_us "$work/32.csv")" -eq 1 ] && [ "$(awk -F, '{ print NF }' "$work/32.csv" | sort -u)" = 38 ] &&
   "$SBUS" decode "$work/32.vcd" --json | sed -n 's/.*"first":\(.*\),"channels":\[\([0-9,]*\)\].*/\1,\2/p' >"$work/32.want" &&
@@ -113,10 +113,10 @@ awk '/^#/ { for (us = substr($0, 2) + 0; at < us; at++) print level }
   /^[01]!/ { level = substr($0, 1, 1) }' "$work/sbus2.vcd" | sed 1d >"$work/samples.csv"
 sed 's/.*/&.5/; 1s/^/volt\n/' "$work/samples.csv" >"$work/volts.csv"
 overruled 0 "$work/samples.csv"
-overruled "$all" "$work/samples.csv" --rate 1000000
-overruled "$all" "$work/volts.csv" --rate 1e6
-overruled "$all" "$work/volts.csv" --rate 1e6 --threshold 1.4
-overruled 0 "$work/volts.csv" --rate 1e6 --threshold 1.6
+overruled "$all" "$work/samples.csv" --sample-rate 1000000
+overruled "$all" "$work/volts.csv" --sample-rate 1e6
+overruled "$all" "$work/volts.csv" --sample-rate 1e6 --threshold 1.4
+overruled 0 "$work/volts.csv" --sample-rate 1e6 --threshold 1.6
 
 (cat "$work/sbus2.vcd"; printf '#') | "$SBUS" decode - --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && cmp "$work/out" tool/golden/decode-sbus2.csv &&
@@ -185,7 +185,7 @@ with zipfile.ZipFile(work + "/" + file, "w", zipfile.ZIP_DEFLATED) as session:
             "logic-1": samples}.get(entry, samples[size * (part - 1):size * part]))
 EOF
 }
-"$SBUS" decode "$work/samples.csv" --rate 1e6 --csv >"$work/plain"
+"$SBUS" decode "$work/samples.csv" --sample-rate 1e6 --csv >"$work/plain"
 sessions=0
 while read -r entries; do
   sessions=$((sessions + 1))

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/Units.h"
+#include "line/file/Units.h"
 #include "cli/options/Scanner.h"
 
 namespace tool {
@@ -13,8 +13,8 @@ namespace {
 
 // Returns the nearest raw value for a part of the travel in percent.
 uint16_t rawFrom(double percent, const sbus::Range &range) {
-  const double one = valueOf(0, Unit::Percent, range), other = valueOf(sbus::ChannelMax, Unit::Percent, range);
-  return *rawOf(std::min(std::max(percent, std::min(one, other)), std::max(one, other)), Unit::Percent, range);
+  const double one = line::valueOf(0, line::Unit::Percent, range), other = line::valueOf(sbus::ChannelMax, line::Unit::Percent, range);
+  return *line::rawOf(std::min(std::max(percent, std::min(one, other)), std::max(one, other)), line::Unit::Percent, range);
 }
 
 // Takes "ch3=" of a rule for a channel that none of `rules` is for. `again`: what is expected if one is.
@@ -124,7 +124,7 @@ void ChannelRules::apply(uint16_t *raw) const {
   for (const Mix &mix : _mixes) {
     double percent = mix.added;
     for (size_t i = 0; i < Count; i++) {
-      percent += mix.parts[i] * valueOf(from[i], Unit::Percent, _range);
+      percent += mix.parts[i] * line::valueOf(from[i], line::Unit::Percent, _range);
     }
     raw[mix.channel] = rawFrom(percent, _range);
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cli/TableReader.h"
+#include "line/file/TableReader.h"
 #include "cli/options/CsvColumn.h"
 #include "line/recording/Words.h"
 
@@ -26,11 +26,10 @@ void FailsafeOption::read(const sbus::Range &range) {
     if (channel == 0 || channel > sbus::ProportionalCount) {
       rejectCommandLine("--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not " + word);
     }
-    FrameValues values;
-    try {
-      assign(word, range, values);
-    } catch (const std::runtime_error &error) {
-      rejectCommandLine(std::string("--failsafe: ") + error.what());
+    line::FrameValues values;
+    const std::string wrong = line::assign(word, range, values);
+    if (!wrong.empty()) {
+      rejectCommandLine("--failsafe: " + wrong);
     }
     if (std::any_of(_set.begin(), _set.end(), [&](const auto &other) { return other.first == channel - 1; })) {
       rejectCommandLine("--failsafe: " + line::quoted(word) + " sets a channel twice; leave one of them out");

@@ -22,17 +22,17 @@ std::string counted(unsigned long count, const char *what) {
   return line::format("%lu %s%s", count, what, count == 1 ? "" : "s");
 }
 
-std::string differenceText(const std::optional<Comparison::Difference> &first) {
+std::string differenceText(const std::optional<Comparison::Difference> &first, int64_t zeroUs) {
   if (!first) {
     return "none";
   }
-  const std::string time = line::format("%.3f s: ", seconds(first->us));
+  const std::string time = line::format("%.3f s: ", seconds(first->us + zeroUs));
   return time + (first->name.empty()
                      ? std::string("only ") + Names[first->side] + " has the frame"
                      : first->name + line::format(" is %u in A, %u in B", first->values[0], first->values[1]));
 }
 
-std::string lostText(const Comparison::Counts &counts, size_t side) {
+std::string lostText(const Comparison::Counts &counts, size_t side, int64_t zeroUs) {
   std::vector<LostSpan> shown = counts.longest[side];
   std::sort(shown.begin(), shown.end(), [](const LostSpan &a, const LostSpan &b) { return a.fromUs < b.fromUs; });
   std::string text =
@@ -40,7 +40,7 @@ std::string lostText(const Comparison::Counts &counts, size_t side) {
                    counted(counts.spans[side], "span").c_str(),
                    counts.spans[side] > Comparison::LongestMost ? "; the longest are" : "");
   for (const LostSpan &span : shown) {
-    text += line::format("%14.3f s to %10.3f s   %s\n", seconds(span.fromUs), seconds(span.toUs),
+    text += line::format("%14.3f s to %10.3f s   %s\n", seconds(span.fromUs + zeroUs), seconds(span.toUs + zeroUs),
                          counted(span.frames, "frame").c_str());
   }
   return text;
@@ -48,16 +48,16 @@ std::string lostText(const Comparison::Counts &counts, size_t side) {
 
 }  // namespace
 
-std::string json(const LostSpan &span) {
+std::string json(const LostSpan &span, int64_t zeroUs) {
   return Json("loss")
       .text("by", Names[span.side])
-      .decimal("from_us", static_cast<double>(span.fromUs))
-      .decimal("to_us", static_cast<double>(span.toUs))
+      .decimal("from_us", static_cast<double>(span.fromUs + zeroUs))
+      .decimal("to_us", static_cast<double>(span.toUs + zeroUs))
       .number("frames", uint64_t{span.frames})
       .line();
 }
 
-std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names,
+std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, int64_t zeroUs,
                  const line::Aligner &aligner) {
   const Comparison::Counts &counts = comparison.counts();
   std::string text;
@@ -73,12 +73,12 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
     text += line::format("channels     %u in A, %u in B: CH1 to CH%u are compared\n", a, b, std::min(a, b));
   }
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
-          '\n' + lostText(counts, 0) + lostText(counts, 1);
+          '\n' + lostText(counts, 0, zeroUs) + lostText(counts, 1, zeroUs);
   if (counts.late[0] + counts.late[1] > 0) {
     text += line::format("not compared %lu of A, %lu of B: the PC was late, or the delay not known yet\n",
                          counts.late[0], counts.late[1]);
   }
-  text += "first        " + differenceText(counts.first) + '\n';
+  text += "first        " + differenceText(counts.first, zeroUs) + '\n';
   return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s%s\n",
                              static_cast<long long>(counts.delays.medianUs()),
                              static_cast<long long>(counts.delays.leastUs()),
@@ -87,7 +87,7 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
                              counts.areDelaysLate ? "; inaccurate, since the PC was late" : "");
 }
 
-std::string json(const line::Comparison &comparison, const line::Aligner &aligner) {
+std::string json(const line::Comparison &comparison, int64_t zeroUs, const line::Aligner &aligner) {
   const Comparison::Counts &counts = comparison.counts();
   Json json("comparison");
   json.number("frames_a", uint64_t{counts.frames[0]}).number("frames_b", uint64_t{counts.frames[1]});
@@ -107,7 +107,7 @@ std::string json(const line::Comparison &comparison, const line::Aligner &aligne
     return json.line();
   }
   Json difference("difference");
-  difference.decimal("time_us", static_cast<double>(counts.first->us));
+  difference.decimal("time_us", static_cast<double>(counts.first->us + zeroUs));
   if (counts.first->name.empty()) {
     difference.text("only", Names[counts.first->side]);
   } else {

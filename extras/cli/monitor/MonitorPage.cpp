@@ -263,7 +263,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
   return page;
 }
 
-std::string plainLine(const MonitorView &view, uint64_t nowUs) {
+std::string plainLine(const MonitorView &view, int64_t nowUs) {
   char time[32];
   std::snprintf(time, sizeof time, "%.3f", static_cast<double>(nowUs) / 1e6);
   std::string text = std::string(time) + "  " + view.state + " ";

@@ -32,6 +32,6 @@ std::vector<PageRow> layOut(const MonitorView &view, PageSize size, bool unicode
 std::vector<PageRow> layOutHelp(PageSize size);
 
 // Returns the view in a line: "12.000  ok  992 172 ...  CH18  newest 3 ms old, 111 frames/s, ...".
-std::string plainLine(const MonitorView &view, uint64_t nowUs);
+std::string plainLine(const MonitorView &view, int64_t nowUs);
 
 }  // namespace tool

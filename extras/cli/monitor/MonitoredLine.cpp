@@ -129,12 +129,13 @@ MonitorView MonitoredLine::view(uint64_t nowUs) {
   return view;
 }
 
-std::string MonitoredLine::json(uint64_t nowUs) {
+std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
+  const std::string shownUs = std::to_string(static_cast<int64_t>(nowUs) + zeroUs);
   if (_isCsv) {
     std::vector<double> values(_row.size());
     std::transform(_row.begin(), _row.end(), values.begin(), [](const line::CsvField &field) { return field.value; });
     return Json("row")
-        .number("time_us", nowUs)
+        .digits("time_us", shownUs)
         .number("age_us", nowUs - std::min(nowUs, _rowUs))
         .numbers("values", values)
         .line();
@@ -142,7 +143,7 @@ std::string MonitoredLine::json(uint64_t nowUs) {
   const line::Values &values = _observer.newest();
   const sbus::Counters &now = _observer.counters();
   Json json("state");
-  json.number("time_us", nowUs).text("state", stateName(_observer.heldState(nowUs)));
+  json.digits("time_us", shownUs).text("state", stateName(_observer.heldState(nowUs)));
   if (values.count > 0) {
     json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count, ChannelForm());
     if (!_observer.has24()) {

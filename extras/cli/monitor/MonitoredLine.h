@@ -32,8 +32,8 @@ class MonitoredLine {
 
   MonitorView view(uint64_t nowUs);
 
-  // Returns the state and the newest values as a JSON line.
-  std::string json(uint64_t nowUs);
+  // Returns the state and the newest values as a JSON line. `zeroUs`: the source's own time at time 0.
+  std::string json(uint64_t nowUs, int64_t zeroUs);
 
  private:
   struct Column {

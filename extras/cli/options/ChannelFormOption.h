@@ -23,7 +23,7 @@ class ChannelFormOption {
     if (_unit.given() && !isJson) {
       rejectCommandLine("--unit: is for JSON lines; add --json, or leave it out");
     }
-    return {_text == "us" ? Unit::Us : _text == "percent" ? Unit::Percent : Unit::Raw, _range.range()};
+    return {_text == "us" ? line::Unit::Us : _text == "percent" ? line::Unit::Percent : line::Unit::Raw, _range.range()};
   }
 
  private:

@@ -38,10 +38,10 @@ bool append(const std::string &word, std::vector<CsvColumn> &columns) {
   return first > 0 && first <= last;
 }
 
-std::string seconds(uint64_t us) {
+std::string seconds(int64_t us) {
   char text[40];
-  std::snprintf(text, sizeof text, "%llu.%06llu", static_cast<unsigned long long>(us / 1000000),
-                static_cast<unsigned long long>(us % 1000000));
+  const auto size = static_cast<unsigned long long>(us < 0 ? -us : us);
+  std::snprintf(text, sizeof text, "%s%llu.%06llu", us < 0 ? "-" : "", size / 1000000, size % 1000000);
   return text;
 }
 
@@ -105,7 +105,8 @@ const char *stateName(sbus::LinkState state) {
   return texts[static_cast<int>(state)];
 }
 
-std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs, bool hasTimes) {
+std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs, bool hasTimes,
+                int64_t zeroUs) {
   const line::Values &values = observer.newest();
   const sbus::LinkState state = observer.state(nowUs);
   std::string line;
@@ -122,13 +123,13 @@ std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer,
         line += values.lostFrame ? '1' : '0';
         break;
       case CsvColumn::Kind::Time:
-        line += hasTimes ? seconds(nowUs) : "-";
+        line += hasTimes ? seconds(static_cast<int64_t>(nowUs) + zeroUs) : "-";
         break;
       case CsvColumn::Kind::State:
         line += stateName(state);
         break;
       case CsvColumn::Kind::Age:
-        line += hasTimes ? seconds(observer.ageUs(nowUs)) : "-";
+        line += hasTimes ? seconds(static_cast<int64_t>(observer.ageUs(nowUs))) : "-";
         break;
       case CsvColumn::Kind::Quality:
         line += std::to_string(observer.linkQuality(nowUs));

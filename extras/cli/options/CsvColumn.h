@@ -37,6 +37,8 @@ std::string header(const std::vector<CsvColumn> &columns);
 const char *stateName(sbus::LinkState state);
 
 // Returns the row for the newest frame. Without `hasTimes`, time and age are "-".
-std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs, bool hasTimes);
+// `zeroUs`: the source's time at time 0.
+std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs, bool hasTimes,
+                int64_t zeroUs);
 
 }  // namespace tool

@@ -1,8 +1,9 @@
-// --from and --to on the command line: a part of a file.
+// --from and --to on the command line: a part of a file, in its own time.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,21 +17,31 @@ class PartOption {
   // Adds both to a subcommand; it must not move afterwards.
   void addTo(Subcommand &subcommand) {
     constexpr double YearS = 366.0 * 24 * 60 * 60;
-    _options = {subcommand.option("--from", _from, "begin at this time in a file").between(0, YearS).type("S"),
-                subcommand
-                    .option(
-                        "--to", [this](double to) { setTo(to); }, "end at this time in a file")
-                    .seconds()
-                    .type("S")};
+    const auto option = [&](const char *name, std::optional<double> &s, const char *what) {
+      return subcommand
+          .option(
+              name,
+              [this, &s](double seconds) {
+                s = seconds;
+                check();
+              },
+              what)
+          .between(-YearS, YearS)
+          .type("S");
+    };
+    _options = {option("--from", _fromS, "begin at this time in a file; below 0 is before its trigger"),
+                option("--to", _toS, "end at this time in a file")};
   }
 
-  uint64_t fromUs() const { return static_cast<uint64_t>(std::llround(_from * 1e6)); }
-  // Returns 0 without an end.
-  uint64_t toUs() const { return static_cast<uint64_t>(std::llround(_to * 1e6)); }
+  // Return the part in us from `zeroUs` on, which is not above 0: see line::FileHead. 0 is no end.
+  uint64_t fromUs(int64_t zeroUs) const { return _fromS ? since(*_fromS, zeroUs, 0) : 0; }
+  uint64_t toUs(int64_t zeroUs) const { return _toS ? since(*_toS, zeroUs, 1) : 0; }
 
-  // Returns true if a character that ends then is in the part.
+  bool given() const { return _fromS || _toS; }
+
+  // Returns true if a character that ends at this time of the file is in the part.
   bool has(int64_t endUs) const {
-    return endUs >= static_cast<int64_t>(fromUs()) && (_to == 0 || endUs <= static_cast<int64_t>(toUs()));
+    return (!_fromS || endUs >= std::llround(*_fromS * 1e6)) && (!_toS || endUs <= std::llround(*_toS * 1e6));
   }
 
   // Rejects the command line if one of them is given.
@@ -43,16 +54,18 @@ class PartOption {
   }
 
  private:
-  // Comes after --from, whatever their order on the command line.
-  void setTo(double to) {
-    _to = to;
-    if (_to <= _from) {
-      rejectCommandLine(line::format("--to: a time after --from, %.10g, is expected, not %.10g", _from, _to));
+  static uint64_t since(double seconds, int64_t zeroUs, int64_t leastUs) {
+    return static_cast<uint64_t>(std::max<int64_t>(leastUs, std::llround(seconds * 1e6) - zeroUs));
+  }
+
+  void check() const {
+    if (_fromS && _toS && *_toS <= *_fromS) {
+      rejectCommandLine(line::format("--to: a time after --from, %.10g, is expected, not %.10g", *_fromS, *_toS));
     }
   }
 
-  double _from = 0;
-  double _to = 0;
+  std::optional<double> _fromS;
+  std::optional<double> _toS;
   std::vector<Option> _options;
 };
 

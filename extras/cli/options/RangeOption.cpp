@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/Units.h"
+#include "line/file/Units.h"
 
 namespace tool {
 
@@ -18,7 +18,7 @@ sbus::Range RangeOption::range() const {
   unsigned low = 0, centre = 0, high = 0;
   char more = 0;
   const bool three = std::sscanf(_text.c_str(), "%4u,%4u,%4u%c", &low, &centre, &high, &more) == 3;
-  if (!three || !isRange(low, centre, high)) {
+  if (!three || !line::isRange(low, centre, high)) {
     rejectCommandLine("--range: frsky, futaba or raw values such as 172,992,1811 are expected, not " + _text);
   }
   return {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)};

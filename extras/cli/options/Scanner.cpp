@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "cli/Units.h"
+#include "line/file/Units.h"
 #include "cli/options/CsvColumn.h"
 #include "cli/options/Subcommand.h"
 #include "line/capture/Parsing.h"
@@ -67,7 +67,7 @@ uint16_t Scanner::value(const sbus::Range &range) {
   digits();
   const size_t begin = _begin;
   _at += _text.compare(_at, 2, "us") == 0 ? 2 : _text.compare(_at, 1, "%") == 0 ? 1 : 0;
-  const std::optional<uint16_t> raw = parseValue(_text.substr(begin, _at - begin), range);
+  const std::optional<uint16_t> raw = line::parseValue(_text.substr(begin, _at - begin), range);
   if (!raw) {
     expect("a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,");
   }

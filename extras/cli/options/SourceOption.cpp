@@ -35,13 +35,13 @@ int64_t wallUs() {
 void cut(const std::string &name, FileSource &file, const PartOption &part) {
   const line::Characters all = std::exchange(file.recording.characters, {});
   for (const line::Character character : all) {
-    if (part.has(static_cast<int64_t>(character.endUs))) {
+    if (part.has(static_cast<int64_t>(character.endUs) + file.zeroUs)) {
       file.recording.characters.push_back(character);
     }
   }
   if (file.recording.characters.empty()) {
-    throw std::runtime_error(name +
-                             emptyPart(static_cast<int64_t>(all[0].endUs), static_cast<int64_t>(all.back().endUs)));
+    throw std::runtime_error(name + emptyPart(static_cast<int64_t>(all[0].endUs) + file.zeroUs,
+                                              static_cast<int64_t>(all.back().endUs) + file.zeroUs));
   }
 }
 
@@ -64,7 +64,6 @@ SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows,
   subcommand.option("--baud", _given.baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
-  _given.csv = subcommand.flag("--csv", "the port carries a sketch's rows, at 115200 baud");
   subcommand.option("--seconds", _given.seconds, "end after this many seconds").seconds().type("S");
   _given.signal =
       subcommand.option("--signal", _given.overrides.signal, "the signal of a capture (the one with the most frames)")
@@ -76,6 +75,10 @@ SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows,
   }
   _given.simulatedTime =
       subcommand.flag("--simulated-time", "play sim and - as fast as possible, with the same output each time");
+}
+
+void SourceOption::addRows(Subcommand &subcommand) {
+  _given.asRows = subcommand.flag("--rows", "the port carries a sketch's rows, at 115200 baud");
 }
 
 SourceOption::SourceOption(const SourceOption &first, const std::string &word) : _given(first._given), _word(word) {
@@ -137,10 +140,9 @@ SourceOption::Parsed SourceOption::parseValues() const {
     if (!names.insert(name).second) {
       rejectCommandLine(line::quoted(value) + " sets " + name + " twice; leave one of them out");
     }
-    try {
-      assign(value, _given.range, parsed.values);
-    } catch (const std::runtime_error &error) {
-      rejectCommandLine(error.what());
+    const std::string wrong = line::assign(value, _given.range, parsed.values);
+    if (!wrong.empty()) {
+      rejectCommandLine(wrong);
     }
   });
   return parsed;
@@ -150,7 +152,7 @@ void SourceOption::openPipe(Parsed &parsed) const {
   const auto start = std::chrono::steady_clock::now();
   _startUs = wallUs();
   _pipe = std::make_shared<Pipe>(parsed.name);
-  const Pipe::Content content = _given.csv.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
+  const Pipe::Content content = _given.asRows.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
   _isLiveText = content == Pipe::Content::Text && _given.playback != Playback::Repeatable;
   const bool hasPace = content == Pipe::Content::Line || (_isLiveText && _given.playback == Playback::RealTime);
   _isAtOnce = hasPace && !_given.simulatedTime.given() && _pipe->isFileAtOnce();
@@ -187,10 +189,10 @@ void SourceOption::rejectDisturbing(const Parsed &parsed, const char *what) {
 }
 
 line::LineSettings SourceOption::settings() const {
-  if (_given.csv.given()) {
+  if (_given.asRows.given()) {
     return line::csvSettings();
   }
-  if (isFile() && !(_given.rows == Rows::Sent && file().kind == FileKind::Rows)) {
+  if (isFile() && !(_given.rows == Rows::Sent && file().isRows())) {
     return file().settings;
   }
   line::LineSettings settings;
@@ -224,7 +226,7 @@ bool SourceOption::isLive() const {
 }
 
 bool SourceOption::hasFrames() const {
-  return !_given.csv.given() && !(isStream() && _pipe->hasRows());
+  return !_given.asRows.given() && !(isStream() && _pipe->hasRows());
 }
 
 void SourceOption::rejectEmpty() const {
@@ -234,7 +236,7 @@ void SourceOption::rejectEmpty() const {
 }
 
 void SourceOption::rejectRows() const {
-  if (_given.rows == Rows::Rejected && (isFile() ? file().kind == FileKind::Rows : isStream() && _pipe->hasRows())) {
+  if (_given.rows == Rows::Rejected && (isFile() ? file().isRows() : isStream() && _pipe->hasRows())) {
     throw std::runtime_error(name() +
                              ": these are rows of CSV, but no frames: a time, all of CH1 to CH16, CH24 or CH32 as raw "
                              "values from 0 to 2047, and rows at most 50 ms apart are expected; sbus monitor shows "
@@ -244,12 +246,20 @@ void SourceOption::rejectRows() const {
 
 bool SourceOption::isWire() const {
   const Kind kind = parsed().kind;
-  return kind == Kind::File ? file().kind != FileKind::Rows && file().kind != FileKind::Bytes
+  return kind == Kind::File ? !file().isRows() && !file().areBytes()
                             : kind == Kind::Simulated || kind == Kind::Values;
 }
 
 bool SourceOption::hasTimes() const {
   return isFile() ? file().hasTimes : !isStream();
+}
+
+int64_t SourceOption::zeroUs() const {
+  return isFile() ? file().zeroUs : 0;
+}
+
+std::optional<double> SourceOption::shownUs(uint64_t us) const {
+  return hasTimes() ? std::optional<double>(static_cast<double>(static_cast<int64_t>(us) + zeroUs())) : std::nullopt;
 }
 
 std::optional<int64_t> SourceOption::startUs() const {
@@ -275,15 +285,19 @@ const FileSource &SourceOption::file() const {
   }
   line::Overrides overrides = _given.overrides;
   overrides.baud = _given.baud;
-  FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _given.baud)
-                                : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrides);
+  FileSource read;
+  if (_isLiveText) {
+    static_cast<line::FileHead &>(read) = line::headOfText(_pipe->textKind(), _pipe->begin(), _given.baud);
+  } else {
+    read = readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrides);
+  }
   if (!read.hasTimes || !read.hasRowTimes) {
     _given.part.reject("is for a file with times; leave it out for " + name());
-  } else if (read.isWhole() && (_given.part.fromUs() > 0 || _given.part.toUs() > 0)) {
+  } else if (read.isCapture() && _given.part.given()) {
     cut(name(), read, _given.part);
   }
-  if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
-    rejectDisturbing(parsed(), read.kind == FileKind::Rows ? "rows of CSV" : "bytes without times");
+  if (read.isRows() || read.areBytes()) {
+    rejectDisturbing(parsed(), read.isRows() ? "rows of CSV" : "bytes without times");
   }
   _file = std::make_shared<const FileSource>(std::move(read));
   return *_file;
@@ -295,7 +309,7 @@ std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const 
   const bool atOnce = _given.simulatedTime.given() || (kind == Kind::File && _given.playback != Playback::RealTime);
   auto input = std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
                                        leftSeconds());
-  input->setStart(_given.part.fromUs());
+  input->setStart(_given.part.fromUs(zeroUs()));
   return input;
 }
 
@@ -311,9 +325,9 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
-    const bool isSent = _given.rows == Rows::Sent && !_given.csv.given();  // as frames
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs(),
-                                        port.characterUs(), isSent || file().kind != FileKind::Rows);
+    const bool isSent = _given.rows == Rows::Sent && !_given.asRows.given();  // as frames
+    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs(zeroUs()),
+                                        port.characterUs(), isSent || !file().isRows());
   }
   return openOnce(port);
 }
@@ -326,7 +340,7 @@ std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &por
       return std::make_unique<line::ReopenedPort>(parsed.name, port);
     }
     case Kind::Stream:
-      if (!_given.csv.given() && !_pipe->hasRows()) {
+      if (!_given.asRows.given() && !_pipe->hasRows()) {
         std::fprintf(stderr, "%s: bytes without times: times are not known%s\n", parsed.name.c_str(),
                      _isAtOnce ? ", played as fast as a line" : "");
       }
@@ -356,21 +370,21 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   if (_isLiveText) {
     input = std::make_unique<PipeText>(_pipe->descriptor(), _pipe->begin());
   } else {
-    input = std::make_unique<FileText>(file().path, name());
+    input = std::make_unique<FileText>(file().path, name(), file().kind == line::FileKind::Bytes);
   }
-  return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
-                                    isLive() ? TextLine::Clock::Live : TextLine::Clock::OfText, _given.part.fromUs(),
-                                    _given.part.toUs());
+  return std::make_unique<TextLine>(name(), std::move(input), line::makeReader(file()),
+                                    isLive() ? TextLine::Clock::Live : TextLine::Clock::OfText,
+                                    _given.part.fromUs(zeroUs()), _given.part.toUs(zeroUs()));
 }
 
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
   std::unique_ptr<line::Line> line;
-  if (read.kind == FileKind::Rows && _given.rows == Rows::Sent && !_given.csv.given()) {
+  if (read.isRows() && _given.rows == Rows::Sent && !_given.asRows.given()) {
     return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _given.periodUs,
-                                            settings().characterUs(), _given.part.fromUs(), _given.part.toUs());
+                                            settings().characterUs(), _given.part.fromUs(0), _given.part.toUs(0));
   }
-  if (read.isWhole()) {
+  if (read.isCapture()) {
     line = std::make_unique<line::RecordedLine>(std::shared_ptr<const line::Recording>(_file, &read.recording));
   } else {
     line = openText();

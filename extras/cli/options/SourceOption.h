@@ -10,7 +10,7 @@
 #include "cli/Input.h"
 #include "cli/Json.h"
 #include "cli/Pipe.h"
-#include "cli/TableReader.h"
+#include "line/file/TableReader.h"
 #include "cli/options/PartOption.h"
 #include "cli/options/Subcommand.h"
 #include "line/Source.h"
@@ -28,6 +28,8 @@ class SourceOption {
  public:
   // Adds SOURCE, or an argument with another `name`, and its options to a subcommand.
   SourceOption(Subcommand &subcommand, Playback playback, Rows rows = Rows::Shown, const char *name = "SOURCE");
+  // Adds --rows, for a subcommand that can do something with a sketch's rows from a port.
+  void addRows(Subcommand &subcommand);
   // A second source, named by another option or argument, with the options of `first`. Create it after the command line
   // has been read.
   SourceOption(const SourceOption &first, const std::string &word);
@@ -42,7 +44,7 @@ class SourceOption {
   // Opens the source with other settings. A serial port's polarity is set in its adapter.
   std::unique_ptr<Input> open(const line::LineSettings &port) const;
 
-  // Returns 8E2, inverted, at --baud; for a file its own settings; with --csv a sketch's Serial, 115200 baud, 8N1.
+  // Returns 8E2, inverted, at --baud; for a file its own settings; with --rows a sketch's Serial, 115200 baud, 8N1.
   // Throws std::runtime_error if the source is a file that cannot be read.
   line::LineSettings settings() const;
 
@@ -69,6 +71,10 @@ class SourceOption {
   bool hasTimes() const;
   // Returns time 0 in us since 1970, which is now for a port or a pipe; nothing if it is unknown.
   std::optional<int64_t> startUs() const;
+  // Returns the source's time when a character's time is 0; below 0 for a file that begins before its own time 0.
+  int64_t zeroUs() const;
+  // Returns a character's time in the source's time; nothing if times are not known.
+  std::optional<double> shownUs(uint64_t us) const;
   // Returns the first JSON line. Call it after open().
   Json json() const;
   const FileSource &file() const;
@@ -86,7 +92,7 @@ class SourceOption {
     Rows rows = Rows::Shown;
     unsigned long baud = 0;  // 0: not given
     double seconds = 0;
-    Option csv;
+    Option asRows;
     PartOption part;
     Option loop;
     Option simulatedTime;
@@ -100,7 +106,7 @@ class SourceOption {
     std::string name;
     Kind kind;
     line::Source source;
-    FrameValues values;
+    line::FrameValues values;
   };
 
   const Parsed &parsed() const;

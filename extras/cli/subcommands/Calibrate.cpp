@@ -63,20 +63,11 @@ void run(const SourceOption &source, const std::string &name) {
   }
   const std::unique_ptr<Input> input = source.open();
   // The file is opened first: if it cannot be written, the user learns it before moving the sticks.
-  bool isOpen = false;
-  try {
-    writeTo(name, File::New, [&](const Put &put) {
-      isOpen = name != "-";
-      const std::string text = calibrationText(measure(*input));
-      put(text);
-      std::fprintf(stderr, "%s:\n%s", name.c_str(), text.c_str());
-    });
-  } catch (...) {
-    if (isOpen) {
-      std::remove(name.c_str());
-    }
-    throw;
-  }
+  writeTo(name, File::New, [&](const Put &put) {
+    const std::string text = calibrationText(measure(*input));
+    put(text);
+    std::fprintf(stderr, "%s:\n%s", name.empty() ? "-" : name.c_str(), text.c_str());
+  });
 }
 
 }  // namespace
@@ -85,10 +76,9 @@ void addCalibrate(CLI::App &app) {
   Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime, Rows::Rejected);
   const auto name = std::make_shared<std::string>();
-  subcommand.option("FILE", *name, "the file to write; an existing file is not overwritten; - is standard output")
-      .required()
-      .notEmpty()
-      .type("");
+  subcommand
+      .option("-o,--output", *name, "the file to write; an existing file is not overwritten (standard output)")
+      .type("FILE");
   subcommand.footer(
       "It guides you in three steps. CH1 to CH4 must be sticks; channels that hardly moved are left out.");
   subcommand.run([source, name] { run(*source, *name); });

@@ -63,9 +63,10 @@ class Compared {
   line::Compared _line;
 };
 
-// Returns how much later `b` began than `a`, if both files give their start.
+// Returns how much later the characters' time 0 is in `b` than in `a`, if both files give their start or none does.
 int64_t laterUs(const SourceOption &a, const SourceOption &b) {
-  return a.isFile() && b.isFile() && a.startUs() && b.startUs() ? *b.startUs() - *a.startUs() : 0;
+  return b.zeroUs() - a.zeroUs() +
+         (a.isFile() && b.isFile() && a.startUs() && b.startUs() ? *b.startUs() - *a.startUs() : 0);
 }
 
 void run(const Options &options) {
@@ -73,7 +74,7 @@ void run(const Options &options) {
   const SourceOption b(a, options.b, options.signalOption, options.signal);
   line::Comparison comparison([&options](const line::LostSpan &span) {
     if (options.json) {
-      write(json(span));
+      write(json(span, options.a.zeroUs()));
       flush();
     }
   });
@@ -94,7 +95,8 @@ void run(const Options &options) {
   if (!comparison.any()) {
     throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common");
   }
-  write(options.json ? json(comparison, aligner) : text(comparison, {a.name(), b.name()}, aligner));
+  write(options.json ? json(comparison, a.zeroUs(), aligner)
+                     : text(comparison, {a.name(), b.name()}, a.zeroUs(), aligner));
   flush();
 }
 

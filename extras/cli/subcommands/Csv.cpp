@@ -26,6 +26,7 @@ class CsvView {
   CsvView(const CsvOptions &options, const SourceOption &source, uint32_t characterUs)
       : _source(source.name()),
         _hasTimes(source.hasTimes()),
+        _zeroUs(source.zeroUs()),
         _columns(parseColumns(options.columns)),
         _everyFrame(options.everyFrame.given()),
         _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
@@ -89,13 +90,14 @@ class CsvView {
   void print(uint64_t nowUs) {
     _firstUs = _firstUs == 0 ? nowUs : _firstUs;
     if (haveAllArrived(_columns, _observer.newest(), nowUs - _firstUs)) {
-      write(row(_columns, _observer, nowUs, _hasTimes));
+      write(row(_columns, _observer, nowUs, _hasTimes, _zeroUs));
       _anyRow = true;
     }
   }
 
   const std::string _source;
   const bool _hasTimes;
+  const int64_t _zeroUs;
   const std::vector<CsvColumn> _columns;
   const bool _everyFrame;
   const uint64_t _periodUs;

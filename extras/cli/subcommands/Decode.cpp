@@ -11,6 +11,7 @@
 #include "cli/FileSource.h"
 #include "cli/HeldSlots.h"
 #include "cli/Output.h"
+#include "cli/Pipe.h"
 #include "cli/TextLine.h"
 #include "cli/options/ChannelFormOption.h"
 #include "cli/options/PartOption.h"
@@ -56,6 +57,7 @@ class Frames {
     const line::Character character = _times.of(wire);
     _observer.put(character);
     if (_record) {
+      _writer.setZero(_times.zeroNs() / 1000);
       _writer.put(character);
       _record(_writer.take());
     }
@@ -101,6 +103,12 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   line::onStop(SIG_DFL);  // Ctrl-C ends it at once, even while it waits for standard input: no file is left half done
   if (options.capture == "-") {
     setLineByLine();
+  } else if (!Pipe::isPipe(options.capture)) {
+    const FileSource head = readHead(options.capture);
+    const std::string other = line::whyNoCapture(head.kind, head.begin);
+    if (!other.empty()) {
+      throw std::runtime_error(options.capture + ": " + other);
+    }
   }
   DecodeOutput output(options.json  ? Form::Json
                       : options.csv ? Form::Csv
@@ -196,7 +204,7 @@ void addDecode(CLI::App &app) {
       .type("yes|no");
   subcommand
       .option(
-          "--rate", [&overrides](double hertz) { overrides.periodNs = 1e9 / hertz; },
+          "--sample-rate", [&overrides](double hertz) { overrides.periodNs = 1e9 / hertz; },
           "samples a second; each row or bit is one sample (as the capture says)")
       .between(1, 1e10)
       .type("HZ");

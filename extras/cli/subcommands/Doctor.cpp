@@ -105,7 +105,16 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
     const std::string finding = "Rows of CSV: they come from a sketch; this is not S.Bus.";
     const std::string remedy =
-        "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
+        "sbus monitor shows them: at 115200 baud with --rows. For S.Bus name the receiver's port.";
+    write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
+    return false;
+  }
+  if (source.isFile() && !source.file().damage.empty()) {
+    const std::string &damage = source.file().damage;
+    const size_t remedyAt = damage.find("; ");
+    const std::string finding = "Changed bytes: " + damage.substr(0, remedyAt) + ".";
+    std::string remedy = damage.substr(remedyAt + 2) + ".";
+    remedy[0] = static_cast<char>(remedy[0] - 'a' + 'A');
     write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
     return false;
   }

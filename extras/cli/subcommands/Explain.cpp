@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/HexText.h"
 #include "cli/Output.h"
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Format.h"
+#include "line/file/ByteText.h"
 #include "sbus/Frame.h"
 #include "sbus/Scaling.h"
 #include "sbus/Slots.h"
@@ -30,19 +30,25 @@ struct Input {
 };
 
 Input parse(const std::string &text) {
-  const HexText hex = parseHex(text);
+  line::ByteText::Bytes bytes;
+  const std::string wrong = parseHex(text, bytes);
+  line::ByteText reader(text, true);
+  if (!wrong.empty() && reader.hasFrames()) {  // as other people write them
+    bytes.clear();
+    reader.line(text, bytes);
+  }
   Input input;
-  for (const HexText::Byte &byte : hex.bytes) {
+  for (const line::ByteText::Byte &byte : bytes) {
     input.bytes.push_back(byte.value);
     if (byte.bad) {
       input.problems.push_back(line::format("byte %zu: %02X is marked with !, a parity or framing error",
                                             input.bytes.size() - 1, static_cast<unsigned>(byte.value)));
     }
   }
-  if (!hex.wrong.empty()) {
+  if (!wrong.empty() && !reader.hasFrames()) {
     input.problems.push_back(
         line::format("byte %zu: \"%s\" is not hexadecimal; two digits a byte are expected, such as 0F",
-                     input.bytes.size(), hex.wrong.c_str()));
+                     input.bytes.size(), wrong.c_str()));
   }
   return input;
 }

@@ -73,13 +73,18 @@ void fold(const std::string &text, size_t width, std::vector<std::string> &rows)
 
 class HexView {
  public:
-  HexView(const line::Observer &observer, const HexOptions &options, bool hasTimes)
-      : _observer(observer), _options(options), _hasTimes(hasTimes), _colours(coloursOf(options.colour)) {}
+  HexView(const line::Observer &observer, const HexOptions &options, const SourceOption &source)
+      : _observer(observer),
+        _options(options),
+        _hasTimes(source.hasTimes()),
+        _zeroUs(source.zeroUs()),
+        _colours(coloursOf(options.colour)) {}
 
   void show(const line::Stretch &stretch) {
-    const std::string time = _hasTimes ? line::format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6)
+    const int64_t us = static_cast<int64_t>(stretch.endUs()) + _zeroUs;
+    const std::string time = _hasTimes ? line::format("%12.6f  ", static_cast<double>(us - _lastUs) / 1e6)
                                        : line::format("%12s  ", "-");
-    _lastUs = _options.delta ? stretch.endUs() : 0;
+    _lastUs = _options.delta ? us : 0;
     const size_t width = _options.width > 0 ? _options.width : line::terminalColumns();
     if (width > 0) {
       showFolded(stretch, time, std::max(width, LeastWidth));
@@ -194,14 +199,14 @@ class HexView {
   const line::Observer &_observer;
   const HexOptions &_options;
   const bool _hasTimes;
+  const int64_t _zeroUs;
   Colours _colours;
-  uint64_t _lastUs = 0;  // times count from here
+  int64_t _lastUs = 0;  // times count from here
 };
 
-void writeJson(const line::Stretch &stretch, const line::Values &values, bool hasTimes, const ChannelForm &form) {
-  const auto known = [hasTimes](uint64_t us) {
-    return hasTimes ? std::optional<double>(static_cast<double>(us)) : std::nullopt;
-  };
+void writeJson(const line::Stretch &stretch, const line::Values &values, const SourceOption &source,
+               const ChannelForm &form) {
+  const auto known = [&source](uint64_t us) { return source.shownUs(us); };
   for (const line::TimedSlot &slot : stretch.slots) {
     write(slotJson(slot, known(slot.endUs)).line());
   }
@@ -227,9 +232,9 @@ void run(const SourceOption &source, const HexOptions &options, const ChannelFor
   }
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
-  HexView view(observer, options, source.hasTimes());
+  HexView view(observer, options, source);
   HeldSlots held(observer, [&](const line::Stretch &stretch) {
-    options.json ? writeJson(stretch, observer.newest(), source.hasTimes(), form) : view.show(stretch);
+    options.json ? writeJson(stretch, observer.newest(), source, form) : view.show(stretch);
   });
   observer.listen([&held](const line::Stretch &stretch) { held.take(stretch); });
   SilenceNote silence(source.name(), "bytes", source.isFile());

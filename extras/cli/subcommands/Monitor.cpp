@@ -117,7 +117,7 @@ void showPage(MonitoredLine &watch, Input &input, const std::function<void(const
 }
 
 // Prints a line every second and whenever the state changes.
-void showLines(MonitoredLine &watch, bool json, const std::function<void(const Tick &)> &run) {
+void showLines(MonitoredLine &watch, bool json, int64_t zeroUs, const std::function<void(const Tick &)> &run) {
   uint64_t lookUs = 0;
   uint64_t nextUs = LineUs;
   std::string state;
@@ -130,7 +130,7 @@ void showLines(MonitoredLine &watch, bool json, const std::function<void(const T
     if (nowUs >= nextUs || view.state != state) {
       nextUs += nowUs >= nextUs ? LineUs * (1 + (nowUs - nextUs) / LineUs) : 0;
       state = view.state;
-      write(json ? watch.json(nowUs) : plainLine(view, nowUs));
+      write(json ? watch.json(nowUs, zeroUs) : plainLine(view, static_cast<int64_t>(nowUs) + zeroUs));
     }
   });
   flush();
@@ -168,7 +168,7 @@ void show(const SourceOption &source, Input &input, const MonitorOptions &option
     input.onNews([&](const std::string &text) { watch.news(text, lastUs); });
     showPage(watch, input, read, ended);
   } else {
-    showLines(watch, options.json, read);
+    showLines(watch, options.json, source.zeroUs(), read);
     ended();
   }
 }
@@ -183,7 +183,7 @@ void run(const SourceOption &source, const MonitorOptions &options) {
   }
   writeTo(options.record, File::New, [&](const Put &put) {
     LineRecorder recorder("monitor " + source.name(), input->settings(), source.isFile() && source.isWire(),
-                          source.hasTimes(), source.startUs(), put);
+                          source.hasTimes(), source.startUs(), source.zeroUs(), put);
     show(source, *input, options, &recorder);
     std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
   });
@@ -194,9 +194,10 @@ void run(const SourceOption &source, const MonitorOptions &options) {
 void addMonitor(CLI::App &app) {
   Subcommand subcommand(app, "monitor", "shows channels, flags, times and losses on a page");
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime);
+  source->addRows(subcommand);
   const auto options = std::make_shared<MonitorOptions>();
   options->range = std::make_unique<RangeOption>(subcommand);
-  subcommand.option("--record", options->record, "also record the line; an existing file is not overwritten")
+  subcommand.option("-o,--output", options->record, "also record the line; an existing file is not overwritten")
       .notStandardOutput()
       .type("FILE");
   options->sensors = std::make_unique<SensorOption>(subcommand);

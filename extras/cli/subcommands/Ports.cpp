@@ -32,7 +32,7 @@ constexpr KnownPort KnownPorts[] = {
     {0x1209, 0x6664, "Cricket: its sketch's output, rows of CSV"},
     {0x1209, 0x6663, "Cicada: its sketch's output, rows of CSV"},
     {0x1209, 0x6662, "Gnat: its sketch's output, rows of CSV"},
-    {0x2341, AnyProduct, "Arduino: its sketch's output; read it with --csv"},
+    {0x2341, AnyProduct, "Arduino: its sketch's output; read it with --rows"},
     {0x1A86, AnyProduct, "CH340 or similar: no setting inverts it; put an inverter in front of RXD"},
     {0x10C4, 0xEA60, "CP210x: no setting inverts it; put an inverter in front of RXD"},
 };

@@ -14,11 +14,12 @@ namespace tool {
 
 namespace {
 
-void run(const SourceOption &source, const std::string &name) {
+void run(const SourceOption &source, const std::string &file) {
+  const std::string name = file.empty() ? "-" : file;
   const std::unique_ptr<Input> input = source.open();
   writeTo(name, File::New, [&](const Put &put) {
     LineRecorder recorder("record " + source.name(), input->settings(), source.isFile() && source.isWire(),
-                          source.hasTimes(), source.startUs(), put);
+                          source.hasTimes(), source.startUs(), source.zeroUs(), put);
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
     SilenceNote silence(source.name(), "frames", source.isFile());
     uint64_t endUs = 0;
@@ -44,11 +45,11 @@ void run(const SourceOption &source, const std::string &name) {
 void addRecord(CLI::App &app) {
   Subcommand subcommand(app, "record", "records a line in a text file, or a sketch's rows as CSV");
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
+  source->addRows(subcommand);
   const auto name = std::make_shared<std::string>();
-  subcommand.option("FILE", *name, "the recording; an existing file is not overwritten; - is standard output")
-      .required()
-      .notEmpty()
-      .type("");
+  subcommand
+      .option("-o,--output", *name, "the recording; an existing file is not overwritten (standard output)")
+      .type("FILE");
   subcommand.footer(
       "The file grows with every frame, and stays valid after Ctrl-C, which may cut the last frame, when the disk "
       "fills up, and if the program is killed.");

@@ -15,7 +15,9 @@ namespace {
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Playback::RealTime, Rows::Sent), sending(subcommand), range(subcommand) {}
+      : source(subcommand, Playback::RealTime, Rows::Sent), sending(subcommand), range(subcommand) {
+    source.addRows(subcommand);
+  }
 
   SourceOption source;
   Sending sending;

@@ -23,8 +23,8 @@ namespace {
 constexpr size_t ShownMost = 20;       // spans of a kind
 constexpr unsigned long BarMost = 50;  // characters
 
-double seconds(uint64_t us) {
-  return static_cast<double>(us) / 1e6;
+double seconds(uint64_t us, int64_t zeroUs = 0) {
+  return static_cast<double>(static_cast<int64_t>(us) + zeroUs) / 1e6;
 }
 
 // A kind of span: `name` in the text, `type` in JSON.
@@ -40,7 +40,7 @@ constexpr Listed AllListed[] = {{line::FlagSpan::Kind::Failsafe, "failsafe", "fa
                                 {line::FlagSpan::Kind::NoFrames, "no frames", "no_frames", false},
                                 {line::FlagSpan::Kind::Late, "PC late", "late", true}};
 
-std::string text(const char *name, const std::vector<line::FlagSpan> &spans) {
+std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   if (spans.empty()) {
     return line::format("%-12s none\n", name);
   }
@@ -51,26 +51,31 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans) {
       line::format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
                    seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
   for (const line::FlagSpan &span : shown) {
-    text +=
-        line::format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
+    text += line::format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs),
+                         seconds(span.us()));
   }
   return text;
 }
 
-std::string json(const char *type, const std::vector<line::FlagSpan> &spans) {
+std::string json(const char *type, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   std::string lines;
   for (const line::FlagSpan &span : spans) {
-    lines += Json("span").text("kind", type).number("from_us", span.fromUs).number("to_us", span.toUs).line();
+    lines += Json("span")
+                 .text("kind", type)
+                 .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
+                 .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs))
+                 .line();
   }
   return lines;
 }
 
-std::string textOf(const line::FlightLog &flight) {
+std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
   std::string text =
-      line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs()), seconds(flight.lastUs()));
+      line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs(), zeroUs),
+                                  seconds(flight.lastUs(), zeroUs));
   for (const Listed &each : AllListed) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
-    text += all.empty() && each.isRare ? "" : tool::text(each.name, all);
+    text += all.empty() && each.isRare ? "" : tool::text(each.name, all, zeroUs);
   }
   unsigned long most = 1;
   for (const auto &[ms, count] : flight.intervals()) {
@@ -84,29 +89,31 @@ std::string textOf(const line::FlightLog &flight) {
   return text;
 }
 
-std::string text(const line::FlightLog &flight, const std::string &name, bool hasTimes) {
+std::string text(const line::FlightLog &flight, const SourceOption &source) {
   const sbus::Counters counters = flight.observer().counters();
-  return name + ": " + flight.variant() + ", " +
+  return source.name() + ": " + flight.variant() + ", " +
          line::format(
              "%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
              static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
              static_cast<unsigned long>(counters.failsafeFrames), flight.observer().discardedBytes(),
              flight.observer().characterErrors()) +
-         (hasTimes ? textOf(flight) : "frames       -, times are not known\n");
+         (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 
-std::string json(const line::FlightLog &flight, bool hasTimes) {
+std::string json(const line::FlightLog &flight, const SourceOption &source) {
   Json summary("summary");
   summary.text("line", flight.variant());
-  const auto known = [hasTimes](uint64_t us) { return hasTimes ? std::optional<uint64_t>(us) : std::nullopt; };
-  summary.number("from_us", known(flight.firstUs())).number("to_us", known(flight.lastUs()));
+  const auto known = [&source](uint64_t us) {
+    return source.hasTimes() ? std::to_string(static_cast<int64_t>(us) + source.zeroUs()) : "null";
+  };
+  summary.digits("from_us", known(flight.firstUs())).digits("to_us", known(flight.lastUs()));
   summary.counts(flight.observer().counters())
       .number("discarded_bytes", flight.observer().discardedBytes())
       .number("character_errors", flight.observer().characterErrors());
   std::string lines = summary.line();
-  if (hasTimes) {
+  if (source.hasTimes()) {
     for (const Listed &each : AllListed) {
-      lines += json(each.type, flight.spans(each.kind));
+      lines += json(each.type, flight.spans(each.kind), source.zeroUs());
     }
     for (const auto &[ms, count] : flight.intervals()) {
       lines += Json("interval").number("ms", ms).number("count", count).line();
@@ -134,7 +141,7 @@ std::string html(const line::FlightLog &flight, const SourceOption &source) {
 
 void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
-  line::FlightLog flight(input->settings().characterUs());
+  line::FlightLog flight(input->settings().characterUs(), source.zeroUs());
   SilenceNote silence(source.name(), "frames", source.isFile());
   std::exception_ptr failure;  // frames before a wrong line are summarised all the same
   try {
@@ -156,8 +163,8 @@ void run(const SourceOption &source, const Options &options) {
     const std::string page = html(flight, source);
     writeTo(options.output, File::New, [&page](const Put &put) { put(page); });
   } else {
-    write(options.json ? source.json().line() + json(flight, source.hasTimes())
-                       : text(flight, source.name(), source.hasTimes()));
+    write(options.json ? source.json().line() + json(flight, source)
+                       : text(flight, source));
     if (!options.json && !input->note().empty()) {
       write(input->note() + '\n');
     }
@@ -176,7 +183,7 @@ void addSummary(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   const Option json = subcommand.flag("--json", options->json, "JSON lines");
   options->html =
-      subcommand.option("--html", options->output, "write a one-page report to view or print; - is standard output")
+      subcommand.option("-o,--output", options->output, "write a one-page report to view or print; - is standard output")
           .excludes(json)
           .notEmpty()
           .type("FILE.html");

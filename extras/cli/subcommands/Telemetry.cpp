@@ -23,8 +23,8 @@ namespace {
 
 class TelemetryView {
  public:
-  TelemetryView(uint32_t characterUs, const line::SensorsBySlot &sensors, bool hasTimes, bool asJson)
-      : _sensors(sensors), _hasTimes(hasTimes), _asJson(asJson) {
+  TelemetryView(uint32_t characterUs, const line::SensorsBySlot &sensors, const SourceOption &source, bool asJson)
+      : _sensors(sensors), _source(source), _asJson(asJson) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &) { print(_observer.telemetry().proved()); });
     if (!asJson) {
@@ -62,7 +62,8 @@ class TelemetryView {
         writeJson(slot, quantity == shown.end() ? nullptr : &quantity->second);
         continue;
       }
-      write((_hasTimes ? line::format("%.6f", static_cast<double>(slot.endUs) / 1e6) : "-") +
+      const std::optional<double> us = _source.shownUs(slot.endUs);
+      write((us ? line::format("%.6f", *us / 1e6) : "-") +
             line::format(",%u,%u,%u,", slot.number, slot.data.data0, slot.data.data1) +
             (quantity == shown.end()
                  ? ",,"
@@ -72,7 +73,7 @@ class TelemetryView {
   }
 
   void writeJson(const line::TimedSlot &slot, const line::Quantity *quantity) const {
-    Json json = slotJson(slot, _hasTimes ? std::optional<double>(static_cast<double>(slot.endUs)) : std::nullopt);
+    Json json = slotJson(slot, _source.shownUs(slot.endUs));
     if (quantity != nullptr) {
       double number = 0;
       json.text("quantity", quantity->name);
@@ -84,7 +85,7 @@ class TelemetryView {
   }
 
   const line::SensorsBySlot &_sensors;
-  const bool _hasTimes;
+  const SourceOption &_source;
   const bool _asJson;
   line::Observer _observer;
 };
@@ -94,7 +95,7 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool as
   if (asJson) {
     write(source.json().line());
   }
-  TelemetryView view(input->settings().characterUs(), sensors, source.hasTimes(), asJson);
+  TelemetryView view(input->settings().characterUs(), sensors, source, asJson);
   SilenceNote silence(source.name(), "frames", source.isFile());
   input->run([&view](const line::Character &character) { view.observer().put(character); },
              [&](uint64_t nowUs) {

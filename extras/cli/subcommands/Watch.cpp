@@ -8,7 +8,7 @@
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
-#include "cli/Units.h"
+#include "line/file/Units.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
@@ -46,16 +46,17 @@ const char *nameOf(RecordedEvent::Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
-std::string text(const RecordedEvent &event) {
-  return line::format("%12.3f s %-9s ", static_cast<double>(event.us) / 1e6, nameOf(event.kind)) + event.file +
+std::string text(const RecordedEvent &event, int64_t zeroUs) {
+  return line::format("%12.3f s %-9s ", static_cast<double>(static_cast<int64_t>(event.us) + zeroUs) / 1e6, nameOf(event.kind)) + event.file +
          (event.summary.empty() ? "" : ": " + event.summary) + '\n';
 }
 
-std::string json(const RecordedEvent &event, std::optional<int64_t> startUs) {
+std::string json(const RecordedEvent &event, int64_t zeroUs, std::optional<int64_t> startUs) {
+  const int64_t us = static_cast<int64_t>(event.us) + zeroUs;
   Json line("event");
-  line.decimal("time_us", static_cast<double>(event.us)).text("kind", nameOf(event.kind));
+  line.decimal("time_us", static_cast<double>(us)).text("kind", nameOf(event.kind));
   if (startUs) {
-    line.text("date", line::wallTime(*startUs + static_cast<int64_t>(event.us)));
+    line.text("date", line::wallTime(*startUs + us));
   }
   if (!event.file.empty()) {
     line.text("file", event.file);
@@ -65,8 +66,8 @@ std::string json(const RecordedEvent &event, std::optional<int64_t> startUs) {
 
 line::Condition conditionOf(const Options &options) {
   line::Condition condition(options.when, [range = options.range.range()](unsigned, uint16_t raw, bool isPercent) {
-    return isPercent ? std::round(10 * valueOf(raw, Unit::Percent, range)) / 10
-                     : std::round(valueOf(raw, Unit::Us, range));
+    return isPercent ? std::round(10 * line::valueOf(raw, line::Unit::Percent, range)) / 10
+                     : std::round(line::valueOf(raw, line::Unit::Us, range));
   });
   const line::Condition::Error &error = condition.error();
   if (!error.text.empty()) {
@@ -87,9 +88,10 @@ void run(const Options &options) {
   }
   FlightRecorder recorder({"watch " + source.name() + ": " + options.when, toUs(options.beforeS), toUs(options.afterS),
                            toUs(options.longestS), toUs(options.syncS)},
-                          files, input->settings(), source.hasTimes(), source.startUs(),
+                          files, input->settings(), source.hasTimes(), source.startUs(), source.zeroUs(),
                           [&](const RecordedEvent &event) {
-                            write(options.json ? json(event, source.startUs()) : text(event));
+                            write(options.json ? json(event, source.zeroUs(), source.startUs())
+                                               : text(event, source.zeroUs()));
                             flush();
                           });
   line::Observer observer;
@@ -132,7 +134,10 @@ void addWatch(CLI::App &app) {
   Subcommand subcommand(app, "watch", "records what happens before and after each event, like a flight recorder");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("--when", options->when, "the event, such as 'failsafe || ch5>1500'").required().type("CONDITION");
-  subcommand.option("--record", options->folder, "the folder for the recordings").required().notEmpty().type("FILE");
+  subcommand.option("-o,--output", options->folder, "the folder for the recordings")
+      .required()
+      .notEmpty()
+      .type("FILE");
   subcommand.option("--before", options->beforeS, "seconds before an event (2)").between(0, 600).type("S");
   subcommand.option("--after", options->afterS, "seconds after an event (5)").between(0, 3600).type("S");
   subcommand

@@ -14,7 +14,7 @@ namespace {
 
 void run(const SourceOption &source, const std::string &output) {
   rejectSameFile(source.name(), output);
-  if (source.isFile() && source.file().kind == FileKind::Capture) {
+  if (source.isFile() && source.file().isCapture()) {
     throw std::runtime_error(source.name() + ": is a capture of the wire already; sbus decode reads it");
   }
   const line::LineSettings settings = source.lineSettings();

@@ -17,12 +17,14 @@ constexpr uint64_t EventUs = 100000;          // an event's frame is recognised 
 }  // namespace
 
 FlightRecorder::FlightRecorder(const Plan &plan, EventFiles files, const line::LineSettings &settings, bool hasTimes,
-                               std::optional<int64_t> startUs, std::function<void(const RecordedEvent &)> tell)
+                               std::optional<int64_t> startUs, int64_t zeroUs,
+                               std::function<void(const RecordedEvent &)> tell)
     : _plan(plan),
       _files(std::move(files)),
       _settings(settings),
       _hasTimes(hasTimes),
       _startUs(startUs),
+      _zeroUs(zeroUs),
       _tell(std::move(tell)) {
 }
 
@@ -79,11 +81,11 @@ void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sin
   forget(std::min(nowUs - std::min(nowUs, _plan.beforeUs), sinceUs));
   const uint64_t firstUs = _lately.empty() ? nowUs : _lately.front().front().endUs;
   const uint64_t zeroUs = _startUs ? firstUs - std::min<uint64_t>(firstUs, _settings.characterUs()) : 0;
-  const auto beganUs = _startUs ? std::optional<int64_t>(*_startUs + static_cast<int64_t>(zeroUs)) : std::nullopt;
+  const auto beganUs = _startUs ? std::optional<int64_t>(*_startUs + _zeroUs + static_cast<int64_t>(zeroUs)) : std::nullopt;
   std::string name;
   try {
     name = _files.next(beganUs);
-    _open = std::make_unique<Open>(_plan.title, name, zeroUs, _settings, _hasTimes, beganUs);
+    _open = std::make_unique<Open>(_plan.title, name, zeroUs, _settings, _hasTimes, beganUs, _startUs ? 0 : _zeroUs);
     _open->firstUs = firstUs;
   } catch (const std::runtime_error &error) {
     fail(error.what());

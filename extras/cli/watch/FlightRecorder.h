@@ -36,8 +36,10 @@ class FlightRecorder {
   };
 
   // `startUs`: time 0 in us since 1970; if it is known, times in each file count from the file's beginning.
+  // `zeroUs`: the source's own time at time 0.
   FlightRecorder(const Plan &plan, EventFiles files, const line::LineSettings &settings, bool hasTimes,
-                 std::optional<int64_t> startUs, std::function<void(const RecordedEvent &)> tell);
+                 std::optional<int64_t> startUs, int64_t zeroUs,
+                 std::function<void(const RecordedEvent &)> tell);
 
   // Takes the next stretch of the line: files begin and end between two of them, so with whole frames.
   void put(const line::Stretch &stretch);
@@ -57,12 +59,12 @@ class FlightRecorder {
   // A file that is being written.
   struct Open {
     Open(const std::string &title, const std::string &path, uint64_t zero, const line::LineSettings &settings,
-         bool hasTimes, std::optional<int64_t> beganUs)
+         bool hasTimes, std::optional<int64_t> beganUs, int64_t shownZeroUs)
         : name(path),
           zeroUs(zero),
           file(path, true),
           put([this](const std::string &text) { file.write(text); }),
-          recorder(title, settings, true, hasTimes, beganUs, put) {}
+          recorder(title, settings, true, hasTimes, beganUs, shownZeroUs, put) {}
 
     const std::string name;
     const uint64_t zeroUs;
@@ -86,6 +88,7 @@ class FlightRecorder {
   const line::LineSettings _settings;
   const bool _hasTimes;
   const std::optional<int64_t> _startUs;
+  const int64_t _zeroUs;
   const std::function<void(const RecordedEvent &)> _tell;
   std::deque<Characters> _lately;  // the stretches of the last `beforeUs`, without those already in a file
   std::unique_ptr<Open> _open;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line/capture/CsvLayout.h"
+#include "line/capture/CsvFields.h"
 #include "line/capture/Parsing.h"
 #include "line/uart/Levels.h"
 
@@ -13,12 +13,12 @@ namespace {
 
 constexpr const char *OneAnalyser = "Async Serial";  // Logic 1 gives no name
 
-// Takes "0x0F", "0b00001111" or "15". Returns false for anything else: Logic can also export bytes as characters, which
-// are ambiguous.
-bool parseByte(std::string_view word, unsigned &value) {
-  const int base = word.substr(0, 2) == "0x" ? 16 : word.substr(0, 2) == "0b" ? 2 : 10;
-  word.remove_prefix(base == 10 ? 0 : 2);
-  return parseWhole(word, value, base) && value <= UINT8_MAX;
+// Takes "0x0F", "0b00001111" or, by default in this base, "15". Returns false for anything else: Logic can also export
+// bytes as characters, which are ambiguous.
+bool parseByte(std::string_view word, int base, unsigned &value) {
+  const int marked = word.substr(0, 2) == "0x" ? 16 : word.substr(0, 2) == "0b" ? 2 : 0;
+  word.remove_prefix(marked == 0 ? 0 : 2);
+  return parseWhole(word, value, marked == 0 ? base : marked) && value <= UINT8_MAX;
 }
 
 }  // namespace
@@ -32,13 +32,22 @@ AsyncReader::Columns AsyncReader::columnsOf(std::string_view title) {
     std::string_view name;
     size_t &column;
   } rows[] = {{"name", columns.name},     {"type", columns.type},           {"start_time", columns.time},
-              {"time [s]", columns.time}, {"data", columns.value},          {"value", columns.value},
+              {"data", columns.value},    {"value", columns.value},
               {"error", columns.error},   {"parity error", columns.parity}, {"framing error", columns.framing}};
   for (size_t i = 0; i < fields.size(); i++) {
     for (const auto &row : rows) {
       if (lower(fields[i]) == row.name) {
         row.column = i;
       }
+    }
+    if (lower(fields[i]).rfind("time", 0) == 0) {
+      columns.time = i;
+      columns.unitNs = unitOf(fields[i]);
+    }
+    // DSView: "Id,Time[ns],0:UART: RX/TX"
+    if (columns.value == None && hasWord(fields[i], {"uart"})) {
+      columns.value = i;
+      columns.isDsView = true;
     }
   }
   return columns;
@@ -48,7 +57,7 @@ bool AsyncReader::isHead(std::string_view head) {
   const Columns columns = columnsOf(takeLine(head));
   const bool isLogic1 = columns.parity != None && columns.framing != None;
   const bool isLogic2 = columns.name != None && columns.type != None;
-  return columns.time != None && columns.value != None && (isLogic1 || isLogic2);
+  return columns.time != None && columns.value != None && (isLogic1 || isLogic2 || columns.isDsView);
 }
 
 AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long baud)
@@ -114,7 +123,7 @@ std::string AsyncReader::read(std::string_view line, Row &row) {
   const std::string_view time = _fields[_columns.time];
   int64_t timestampNs;
   if (parseNumber(time, row.ns)) {
-    row.ns *= 1e9;
+    row.ns *= _columns.unitNs;
   } else if (parseTimestamp(time, timestampNs)) {
     _zeroNs = _zeroNs == INT64_MIN ? timestampNs : _zeroNs;
     row.ns = static_cast<double>(timestampNs - _zeroNs);
@@ -125,7 +134,11 @@ std::string AsyncReader::read(std::string_view line, Row &row) {
     return "a time is beyond a year: is its unit right?";
   }
   const std::string_view value = _fields[_columns.value];
-  if (!parseByte(value, row.value)) {
+  if (!parseByte(value, _columns.isDsView ? 16 : 10, row.value)) {
+    row.isData = !_columns.isDsView;  // a start bit, a warning
+    if (_columns.isDsView) {
+      return {};
+    }
     return quoted(value) + " is not a byte: export the table with hexadecimal values, such as 0x0F";
   }
   const auto field = [this](size_t column) { return column == None ? std::string_view() : _fields[column]; };

@@ -1,4 +1,4 @@
-// Characters decoded by Saleae's Async Serial analyser. Logic 1 exports "Time [s],Value,Parity Error,Framing Error"
+// Characters decoded by Saleae's Async Serial analyser, or by DSView's UART decoder. Logic 1 exports "Time [s],Value,Parity Error,Framing Error"
 // (saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103), Logic 2 a table with a row for each character
 // (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader turns them back
 // into the levels of a wire.
@@ -18,7 +18,9 @@ class AsyncReader : public CaptureReader {
   AsyncReader(std::string_view head, LevelSink &sink, unsigned long baud);
 
   std::string put(std::string_view lines) override;
-  std::string format() const override { return "Saleae's table of characters"; }
+  std::string format() const override {
+    return _columns.isDsView ? "DSView's table of characters" : "Saleae's table of characters";
+  }
 
  private:
   static constexpr size_t None = SIZE_MAX;
@@ -38,6 +40,8 @@ class AsyncReader : public CaptureReader {
   struct Columns {
     size_t name = None, type = None, time = None, value = None, error = None, parity = None, framing = None;
     size_t count = 0;
+    double unitNs = 1e9;    // of the times
+    bool isDsView = false;  // bytes in hexadecimal, without a name
   };
   static Columns columnsOf(std::string_view title);
 

@@ -26,44 +26,16 @@ bool isBits(std::string_view head) {
   return any;
 }
 
-// Returns true for a recording of this project: a time, then bytes in hexadecimal.
-bool isRecording(std::string_view head) {
-  while (!head.empty()) {
-    const std::string_view line = trimmed(takeLine(head));
-    if (line.empty() || line.front() == '#') {
-      continue;
-    }
-    const size_t space = line.find_first_of(" \t");
-    const std::string_view time = line.substr(0, space);
-    return space != std::string_view::npos && time.find_first_not_of("0123456789") == std::string_view::npos &&
-           line.substr(space).find_first_not_of(" \t0123456789ABCDEFabcdef") == std::string_view::npos;
-  }
-  return false;
-}
-
-std::string whyUnknown(std::string_view head) {
-  if (trimmed(head).empty()) {
-    return "is empty: a capture of a wire is expected";
-  }
-  if (head.substr(0, 8) == "<SALEAE>") {
-    return "is Logic 2's binary export: export it as CSV";
-  }
-  if (isRecording(head)) {
-    return "is a recording of characters, not a capture of the wire: sbus hex shows it, sbus wave makes a capture of "
-           "it";
-  }
-  return {};
-}
-
 }  // namespace
 
 OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrides &overrides) {
   OpenedCapture opened;
   bool analogue = false;
-  const bool isVcd = trimmed(head).substr(0, 1) == "$";
+  const std::string_view begin = trimmed(head).substr(0, 4);  // such as $date
+  const bool isVcd = begin.size() == 4 && begin.front() == '$' && begin.find_first_not_of("abcdefghijklmnopqrstuvwxyz", 1) == begin.npos;
   const bool isAsync = AsyncReader::isHead(head);
   if ((isVcd || isAsync) && overrides.periodNs > 0) {
-    opened.error = "has times of its own: leave out --rate";
+    opened.error = "has times of its own: leave out --sample-rate";
   } else if (isAsync && overrides.polarity != Polarity::Either) {
     opened.error = "has characters that are decoded already: leave out --invert";
   } else if (isAsync) {
@@ -77,8 +49,8 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
     opened.reader = std::make_unique<BitsReader>(sink, overrides.periodNs);
   } else {
     CsvLayout layout;
-    opened.error = whyUnknown(head);
-    opened.error = opened.error.empty() ? findLayout(head, layout, overrides.periodNs) : opened.error;
+    opened.error = trimmed(head).empty() ? "is empty: a capture of a wire is expected"
+                                         : findLayout(head, layout, overrides.periodNs);
     analogue = layout.analogue;
     if (opened.error.empty() && analogue) {
       opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrides.threshold);
@@ -92,16 +64,13 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
   return opened;
 }
 
-std::string captureFormat(std::string_view head) {
-  if (isBits(head)) {
-    return {};
-  }
+CaptureForm captureForm(std::string_view head) {
   struct NullSink : LevelSink {
     void signals(const std::vector<std::string> &) override {}
     void level(size_t, int64_t, bool) override {}
   } sink;
   const OpenedCapture opened = openCapture(head, sink);
-  return opened.reader ? opened.reader->format() : std::string();
+  return opened.reader ? CaptureForm{opened.reader->format(), opened.reader->periodNs()} : CaptureForm();
 }
 
 }  // namespace line

@@ -77,8 +77,11 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
 
-// Returns the CaptureReader::format() of a capture that begins with `head`; "" if it is not a capture, and for bits,
-// since a recording may look like them.
-std::string captureFormat(std::string_view head);
+// The CaptureReader::format() and the period of a capture that begins with `head`; "" if it is not a capture.
+struct CaptureForm {
+  std::string name;
+  double periodNs = 0;
+};
+CaptureForm captureForm(std::string_view head);
 
 }  // namespace line

@@ -18,12 +18,12 @@ class CaptureTimes {
   Character of(const WireCharacter &character) {
     if (!_begun) {
       _begun = true;
-      _zeroNs = std::min<int64_t>(0, character.startNs);
+      _zeroNs = std::min<int64_t>(0, character.startNs - 999) / 1000 * 1000;
     }
     return character.since(_zeroNs, _characterNs);
   }
 
-  // Returns an Observer's time 0 in the capture's time.
+  // Returns an Observer's time 0 in the capture's time: whole microseconds, not above 0.
   int64_t zeroNs() const { return _zeroNs; }
 
   // Converts the capture's time `ns` for an Observer.

@@ -86,6 +86,10 @@ void Header::row(const Fields &fields) {
   }
 }
 
+bool isTime(std::string_view title) {
+  return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
+}
+
 // Finds the first rows, and reads the lines before them. All rows have the same number of fields; it needs two rows, if
 // the file has two.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
@@ -95,7 +99,11 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
     const std::string_view line = takeLine(head);
     Fields fields;
     splitRow(line, layout.separator, fields);
-    if (fields.empty()) {
+    // Keysight: before its first sample, a row has a time alone.
+    const bool isAlone = rows.empty() && !fields.empty() && header.titles.size() > 1 && !header.units.empty() &&
+                         isTime(header.units.front()) && isRow(fields) &&
+                         std::all_of(fields.begin() + 1, fields.end(), [](std::string_view each) { return each.empty(); });
+    if (fields.empty() || isAlone) {
       lines++;
       continue;
     }
@@ -130,10 +138,6 @@ char separatorOf(std::string_view head) {
     }
   }
   return Separators[static_cast<size_t>(std::max_element(lines, lines + Separators.size()) - lines)];
-}
-
-bool isTime(std::string_view title) {
-  return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
 }
 
 // Returns true if each value is greater than the previous one; by one, if the column `counts`.
@@ -219,6 +223,12 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     layout.columns.erase(layout.columns.begin());
     first = layout.columns.front();
   }
+  // Saleae's Logic MSO: "Trigger [s]" begins again with each waveform, "Time [s]" goes on.
+  while (layout.columns.size() > 2 && isTime(title(first)) && !hasWord(title(first), {"time"}) &&
+         hasWord(title(layout.columns[1]), {"time"})) {
+    layout.columns.erase(layout.columns.begin());
+    first = layout.columns.front();
+  }
   if (layout.columns.size() > 1 && (isTime(title(first)) || (!counted && grows(rows, first, false)))) {
     layout.columns.erase(layout.columns.begin());
     layout.timeColumn = first;
@@ -232,7 +242,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   }
   if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
     return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", "
-           "or --rate is expected";
+           "or --sample-rate is expected";
   }
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;

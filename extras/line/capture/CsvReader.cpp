@@ -41,10 +41,11 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
     return "a time is beyond a year: is its unit right?";
   }
   ns = std::llround(value);
-  if (_row > 0 && ns < _endNs) {
+  if (_hasTime && ns < _endNs) {
     return "a time is before that of a row above: times in order are expected";
   }
   _endNs = ns;
+  _hasTime = true;
   return {};
 }
 
@@ -156,6 +157,7 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
   const char *at = row.data();
   const char *end = at + row.size();
   size_t column = 0;
+  bool any = false;  // a row without a sample is cut, or none
   for (size_t i = 0; i < _signals.size(); i++, column++) {
     for (; column < _layout.columns[i]; column++) {
       at = std::find(at, end, _layout.separator);
@@ -164,8 +166,10 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
     while (at < end && *at == ' ') {
       at++;
     }
-    double volts = 0;
-    if (!takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
+    double volts = NAN;
+    const bool isEmpty = (at == end || *at == _layout.separator) && (any || i + 1 < _signals.size());
+    any = any || !isEmpty;
+    if (!isEmpty && !takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
       return quoted(word) + " is not a voltage: a number is expected in column " + std::to_string(column + 1);
     }

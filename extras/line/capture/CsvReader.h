@@ -26,7 +26,8 @@ class CsvReader : public CaptureReader {
   const CsvLayout _layout;
   std::vector<std::string_view> _fields;
   uint64_t _row = 0;  // number of the next row, from 0
-  std::string _last;  // the last good row
+  bool _hasTime = false;  // a row's time was read
+  std::string _last;      // the last good row
 };
 
 class DigitalReader : public CsvReader {

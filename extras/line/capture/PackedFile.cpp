@@ -211,6 +211,17 @@ bool PackedFile::find(const std::string &entry) {
   return !_atEnd;
 }
 
+std::string PackedFile::begin() const {
+  constexpr size_t Size = 64;
+  const auto at = _isPipe ? -1 : lseek(_file, 0, SEEK_CUR);
+  if (at < 0 || lseek(_file, 0, SEEK_SET) != 0) {
+    return {};
+  }
+  const std::string begin = readSome(_file, Size);
+  lseek(_file, at, SEEK_SET);  // libarchive goes on there
+  return begin;
+}
+
 void PackedFile::findOnly() {
   if (!_isZip) {
     return;

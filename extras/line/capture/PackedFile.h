@@ -40,6 +40,9 @@ class PackedFile {
   // Goes to the beginning of a ZIP's entry, wherever it is in the file. Returns false if no entry has this name.
   bool find(const std::string &entry);
 
+  // Returns the first 64 bytes as they are in the file; nothing of a pipe.
+  std::string begin() const;
+
   // Goes to the only file in a ZIP; leaves other files as they are. Throws std::runtime_error if the ZIP holds several.
   void findOnly();
 

@@ -5,7 +5,10 @@ namespace line {
 RecordedCapture::RecordedCapture(const Overrides &overrides)
     : _wire(
           overrides, [this] { _times.begin(_wire.wire()); },
-          [this](const WireCharacter &character) { recording.characters.push_back(_times.of(character)); },
+          [this](const WireCharacter &character) {
+            recording.characters.push_back(_times.of(character));
+            recording.zeroUs = _times.zeroNs() / 1000;
+          },
           [this](int64_t ns, bool high) { _edges.put(ns, high); }) {
 }
 

@@ -45,11 +45,16 @@ std::string SessionReader::metadata(std::string_view text) {
   if (names.empty() || _samplesName.empty() || _sampleSize == 0) {
     return "has no logic signals: a session with them, or CSV of analogue ones, is expected";
   }
-  if (*std::max_element(_bits.begin(), _bits.end()) >= 8 * _sampleSize) {
+  // A device of 16 probes of which 8 were recorded lists all of them.
+  while (!_bits.empty() && _bits.back() >= 8 * _sampleSize) {
+    _bits.pop_back();
+    names.pop_back();
+  }
+  if (_bits.empty() || *std::max_element(_bits.begin(), _bits.end()) >= 8 * _sampleSize) {
     return "has more probes than fit into its unitsize of " + std::to_string(_sampleSize);
   }
   if (_periodNs <= 0) {
-    return "does not say when its samples were taken: --rate is expected";
+    return "does not say when its samples were taken: --sample-rate is expected";
   }
   _sink.signals(names);
   return {};

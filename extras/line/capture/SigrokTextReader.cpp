@@ -67,7 +67,7 @@ std::string SigrokTextReader::header(std::string_view line) {
   if (_periodNs <= 0 && rate != std::string_view::npos) {
     _periodNs = periodOf(line.substr(rate + 4));
   }
-  return _periodNs > 0 ? "" : "does not say when its samples were taken: --rate is expected";
+  return _periodNs > 0 ? "" : "does not say when its samples were taken: --sample-rate is expected";
 }
 
 std::string SigrokTextReader::take(std::string_view line) {

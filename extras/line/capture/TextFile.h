@@ -1,8 +1,6 @@
 // Reads the text of a file, packed or not: see PackedFile and PlainText.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <string_view>
 
 #include "line/capture/PackedFile.h"
@@ -16,19 +14,20 @@ class TextFile {
   explicit TextFile(PackedFile &file) : _file(file) {}
 
   // Waits for at least one character. Returns those received; nothing at the end and after a failure.
-  std::string_view read();
-
-  // Returns the first `size` characters, or all of them.
-  std::string read(size_t size);
+  std::string_view read() {
+    std::string_view text;
+    while (!_atEnd && text.empty()) {
+      const std::string_view bytes = _file.read();
+      _atEnd = bytes.empty();
+      text = _atEnd ? _plain.finish() : _plain.put(bytes);
+    }
+    return text;
+  }
 
  private:
   PackedFile &_file;
   PlainText _plain;
   bool _atEnd = false;
 };
-
-// Calls `take` with each line of the rest of `file`, without its LF. Throws std::runtime_error if it cannot be read to
-// its end.
-void forEachLine(PackedFile &file, const std::function<void(std::string_view)> &take);
 
 }  // namespace line

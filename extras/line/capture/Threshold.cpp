@@ -18,6 +18,9 @@ Threshold::Range Threshold::rangeOf(const std::vector<double> &volts) {
   bool below = false;
   bool above = false;
   for (const double v : volts) {
+    if (std::isnan(v)) {
+      continue;
+    }
     if (std::isinf(v)) {
       (v > 0 ? above : below) = true;
       continue;
@@ -41,6 +44,9 @@ bool Threshold::find(const std::vector<double> &volts) {
   }
   std::array<double, Bins> histogram{};
   for (const double v : volts) {
+    if (std::isnan(v)) {
+      continue;
+    }
     histogram[static_cast<size_t>(std::clamp((v - least) / span, 0.0, 1.0) * (Bins - 1))]++;
   }
   // Otsu's method: choose the cut with the least variance within its two sides.
@@ -84,7 +90,7 @@ bool Threshold::lasts(const std::vector<double> &volts) const {
   size_t changes = 0;
   bool wasHigh = volts.front() > middle();
   for (const double v : volts) {
-    const bool is = isHigh(v, wasHigh);
+    const bool is = std::isnan(v) ? wasHigh : isHigh(v, wasHigh);
     changes += is != wasHigh;
     high += is;
     wasHigh = is;
@@ -103,7 +109,7 @@ void AnalogueLevel::learn(const std::vector<double> &volts) {
 
 bool AnalogueLevel::changes(double volts) {
   const bool high = _threshold.isHigh(volts, _isHigh);
-  if (!_found || (_begun && high == _isHigh)) {
+  if (!_found || std::isnan(volts) || (_begun && high == _isHigh)) {
     return false;
   }
   _begun = true;

@@ -1,6 +1,7 @@
 #include "line/recording/Recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -12,10 +13,11 @@ namespace line {
 
 namespace {
 
-constexpr uint64_t LateMaxUs = UINT32_MAX;
+constexpr int64_t LateMaxUs = UINT32_MAX;
 
-bool parseTime(std::string_view word, uint64_t &us) {
-  return parseWhole(word, us) && us <= RecordingTimeMaxUs;
+bool parseTime(std::string_view word, int64_t &us) {
+  constexpr auto Most = static_cast<int64_t>(RecordingTimeMaxUs);
+  return parseWhole(word, us) && us >= -Most && us <= Most;
 }
 
 // Takes "0F", or "0F!" for a character with an error.
@@ -115,14 +117,16 @@ std::string RecordingReader::parse(std::string_view line) {
   }
   Character character;
   const size_t mark = timeWord.find('~');
-  uint64_t lateUs = 0;
-  if (!parseTime(timeWord.substr(0, mark), character.endUs) ||
-      (mark != std::string_view::npos && (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs > LateMaxUs))) {
+  int64_t us = 0, lateUs = 0;
+  if (!parseTime(timeWord.substr(0, mark), us) ||
+      (mark != std::string_view::npos &&
+       (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs < 0 || lateUs > LateMaxUs))) {
     return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
   }
-  if (_any && character.endUs < _last.endUs + _characterUs) {
-    return "time " + std::to_string(character.endUs) + " is too early: the previous character was complete at " +
-           std::to_string(_last.endUs) + " us, and each takes " + std::to_string(_characterUs) + " us";
+  if (!place(us, character.endUs) || (_any && character.endUs < _last.endUs + _characterUs)) {
+    return "time " + std::to_string(us) + " is too early: the previous character was complete at " +
+           std::to_string(static_cast<int64_t>(_last.endUs) + _recording.zeroUs) + " us, and each takes " +
+           std::to_string(_characterUs) + " us";
   }
   character.lateUs = static_cast<uint32_t>(lateUs);
   std::string_view word = takeWord(line);
@@ -139,6 +143,14 @@ std::string RecordingReader::parse(std::string_view line) {
   return {};
 }
 
+// Converts the file's time; the first character sets where times begin. Returns false if it is before that.
+bool RecordingReader::place(int64_t us, uint64_t &endUs) {
+  _recording.zeroUs = _any ? _recording.zeroUs : std::min<int64_t>(0, us - _characterUs);
+  _recording.zeroUs = us >= 0 && !_any ? 0 : _recording.zeroUs;
+  endUs = static_cast<uint64_t>(us - _recording.zeroUs);
+  return us >= _recording.zeroUs;
+}
+
 void RecordingReader::row(std::string_view text) {
   constexpr uint64_t RowUs = 200000;
   constexpr uint32_t AtOnceUs = 1;  // makes room for 111 rows a second with 32 numbers each
@@ -149,8 +161,10 @@ void RecordingReader::row(std::string_view text) {
     return;
   }
   const double seconds = std::strtod(std::string(text.substr(0, comma)).c_str(), nullptr);
-  const uint64_t us =
-      seconds > 0 && seconds * 1e6 < RecordingTimeMaxUs ? static_cast<uint64_t>(seconds * 1e6 + 0.5) : 0;
+  uint64_t us = 0;
+  if (!place(std::abs(seconds * 1e6) < RecordingTimeMaxUs ? std::llround(seconds * 1e6) : 0, us)) {
+    us = 0;
+  }
   putRow(text.substr(comma + 1), us, AtOnceUs);
 }
 

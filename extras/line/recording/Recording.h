@@ -5,6 +5,9 @@
 //                          one with a wrong parity or stop bit
 //   16120~18000 0F E5      from a port that delivers bytes late: each was complete up to 18000 us earlier, and gaps may
 //                          lie between them
+//
+// The times of a capture's recording begin below 0 if the capture begins before its trigger.
+//
 //   # bookmarks            begins a new list of bookmarks, which replaces earlier ones
 //   # bookmark 16120 stall
 #pragma once
@@ -86,13 +89,14 @@ class Characters {
 
 // A named moment.
 struct Bookmark {
-  uint64_t us;
+  int64_t us;  // in the file's time
   std::string name;
 };
 
 struct Recording {
   Characters characters;
   std::vector<Bookmark> bookmarks;  // in the file's order
+  int64_t zeroUs = 0;               // the file's time from which the characters' times count; not above 0
   std::string error;                // what is wrong and what is expected; otherwise empty
   unsigned errorLine = 0;           // its line, counted from 1; 0 for the recording as a whole
 };
@@ -135,6 +139,9 @@ class RecordingReader {
   // Returns how many NULs were read around. A file system leaves them where the power failed.
   unsigned long nuls() const { return _nuls; }
 
+  // Returns Recording::zeroUs, once there was a character.
+  int64_t zeroUs() const { return _recording.zeroUs; }
+
   // Returns what is wrong with the newest line, or nothing.
   const std::string &error() const { return _recording.error; }
 
@@ -146,6 +153,7 @@ class RecordingReader {
   void row(std::string_view text);
   std::string parse(std::string_view line);
   void comment(std::string_view text);
+  bool place(int64_t us, uint64_t &endUs);
   void putRow(std::string_view text, uint64_t endUs, uint32_t characterUs);
   void put(const Character &character);
 

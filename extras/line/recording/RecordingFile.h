@@ -31,6 +31,9 @@ class LineFile {
 
   const std::string &failure() const { return _failure; }
 
+  // Returns true if no whole line was written.
+  bool isEmpty() const { return _size == 0; }
+
  private:
   void fail();
   std::string incomplete(int error, const char *what) const;

@@ -38,7 +38,7 @@ void RecordingWriter::put(const Character &character) {
     endLine();
   }
   if (_onLine == 0) {
-    _line = std::to_string(endUs) + (character.lateUs == 0 ? "" : "~" + std::to_string(character.lateUs));
+    _line = std::to_string(static_cast<int64_t>(endUs) + _zeroUs) + (character.lateUs == 0 ? "" : "~" + std::to_string(character.lateUs));
     _lateUs = character.lateUs;
   }
   constexpr char Digits[] = "0123456789ABCDEF";

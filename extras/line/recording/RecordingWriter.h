@@ -18,6 +18,9 @@ class RecordingWriter {
   // Writes a comment with the date of time 0, given in us since 1970, and the version of the format.
   void began(int64_t us);
 
+  // Sets the time of the text at which the characters' times begin; see Recording::zeroUs. Default: 0.
+  void setZero(int64_t us) { _zeroUs = us; }
+
   // Writes a comment with the line's settings from here on.
   void opened(const LineSettings &settings);
 
@@ -38,6 +41,7 @@ class RecordingWriter {
   bool _opened = false;
   LineSettings _settings;
   bool _begun = false;  // there was a character
+  int64_t _zeroUs = 0;
   uint64_t _lastEndUs = 0;
   uint32_t _lateUs = 0;  // of the characters of _line
   unsigned _onLine = 0;  // characters of _line

@@ -75,7 +75,7 @@ std::string times(const std::vector<FlagSpan> &spans) {
 
 }  // namespace
 
-FlightLog::FlightLog(uint32_t characterUs) {
+FlightLog::FlightLog(uint32_t characterUs, int64_t zeroUs) : _zeroUs(zeroUs) {
   _observer.reset(0, characterUs);
   _observer.listen([this](const Stretch &stretch) { take(stretch); });
 }

@@ -23,7 +23,8 @@ struct FlightSecond {
 
 class FlightLog {
  public:
-  explicit FlightLog(uint32_t characterUs);
+  // `zeroUs`: the source's own time at time 0; not above 0.
+  explicit FlightLog(uint32_t characterUs, int64_t zeroUs = 0);
   FlightLog(const FlightLog &) = delete;  // its observer's listener points to it
   FlightLog &operator=(const FlightLog &) = delete;
 
@@ -36,6 +37,9 @@ class FlightLog {
   std::string variant() const { return _variant.text(); }
   uint64_t firstUs() const { return _flags.firstUs(); }
   uint64_t lastUs() const { return _flags.lastUs(); }
+
+  // Returns a time of this flight in the source's own time.
+  int64_t shownUs(uint64_t us) const { return static_cast<int64_t>(us) + _zeroUs; }
 
   // Returns the spans of a kind in order.
   std::vector<FlagSpan> spans(FlagSpan::Kind kind) const;
@@ -57,6 +61,7 @@ class FlightLog {
  private:
   void take(const Stretch &stretch);
 
+  const int64_t _zeroUs;
   Observer _observer;
   DetectedVariant _variant;
   FlagSpans _flags;

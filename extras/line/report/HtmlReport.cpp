@@ -55,10 +55,12 @@ const Listed &listed(FlagSpan::Kind kind) {
 }
 
 // Returns "61.250 s" for less than an hour, otherwise "1:01:01.250".
-std::string timeText(uint64_t us) {
-  const auto ms = static_cast<unsigned long long>(us / 1000);
-  return ms < 3600000 ? format("%llu.%03llu s", ms / 1000, ms % 1000)
-                      : format("%llu:%02llu:%02llu.%03llu", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
+std::string timeText(int64_t us) {
+  const auto ms = static_cast<unsigned long long>((us < 0 ? -us : us) / 1000);
+  return (us < 0 ? "-" : "") +
+         (ms < 3600000
+              ? format("%llu.%03llu s", ms / 1000, ms % 1000)
+              : format("%llu:%02llu:%02llu.%03llu", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000));
 }
 
 std::string cell(const std::string &text) {
@@ -83,10 +85,10 @@ std::string strip(const FlightLog &flight) {
           "<rect class=\"%s\" x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\"><title>%s: %.1f %% "
           "lost</title></rect>\n",
           listed(part.kind()).colour, static_cast<double>(i) * Width, Height - 1 - height, Width, height,
-          timeText(part.fromUs).c_str(), 100 * part.lost);
+          timeText(flight.shownUs(part.fromUs)).c_str(), 100 * part.lost);
     }
   }
-  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.firstUs()) + " to " + timeText(flight.lastUs());
+  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.shownUs(flight.firstUs())) + " to " + timeText(flight.shownUs(flight.lastUs()));
   for (const Listed &each : AllListed) {
     text += std::string("<i class=\"") + each.colour + "\"></i>" + each.name;
   }
@@ -98,14 +100,14 @@ std::string curves(const FlightLog &flight, const ReportFacts &facts) {
   picture.title = "CH1 to CH4 of " + facts.name;
   picture.xTitle = "s";
   picture.yTitle = "raw";
-  picture.xBegin = static_cast<double>(flight.firstUs()) / 1e6;
-  picture.xEnd = static_cast<double>(flight.lastUs()) / 1e6;
+  picture.xBegin = static_cast<double>(flight.shownUs(flight.firstUs())) / 1e6;
+  picture.xEnd = static_cast<double>(flight.shownUs(flight.lastUs())) / 1e6;
   picture.xEnd = picture.xEnd > picture.xBegin ? picture.xEnd : picture.xBegin + 1;
   for (size_t i = 0; i < Curves::Channels; i++) {
     Curve curve;
     curve.name = "CH" + std::to_string(i + 1);
     for (const Curves::Bucket &bucket : flight.curves().buckets()) {
-      const double x = static_cast<double>(bucket.us) / 1e6;
+      const double x = static_cast<double>(flight.shownUs(bucket.us)) / 1e6;
       curve.points.push_back({x, static_cast<double>(bucket.least[i]), bucket.joined});
       if (bucket.most[i] != bucket.least[i]) {
         curve.points.push_back({x, static_cast<double>(bucket.most[i]), true});
@@ -117,7 +119,7 @@ std::string curves(const FlightLog &flight, const ReportFacts &facts) {
     for (const FlagSpan &span : flight.spans(each.kind)) {
       if (each.kind != FlagSpan::Kind::LostFrame) {  // the strip shows them
         picture.spans.push_back(
-            {span.kind, static_cast<double>(span.fromUs) / 1e6, static_cast<double>(span.toUs) / 1e6});
+            {span.kind, static_cast<double>(flight.shownUs(span.fromUs)) / 1e6, static_cast<double>(flight.shownUs(span.toUs)) / 1e6});
       }
     }
   }
@@ -127,7 +129,7 @@ std::string curves(const FlightLog &flight, const ReportFacts &facts) {
 std::string worst(const FlightLog &flight) {
   std::string rows;
   for (const FlightRating &part : worstSeconds(flight, WorstMost)) {
-    rows += "<tr>" + cell(timeText(part.fromUs)) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
+    rows += "<tr>" + cell(timeText(flight.shownUs(part.fromUs))) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
             listed(part.kind()).cause + "</td></tr>\n";
   }
   return "<section><h2>The worst seconds</h2>\n" +
@@ -148,7 +150,7 @@ std::string spans(const FlightLog &flight, const Listed &listed) {
                      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
   for (const FlagSpan &span : longest(all, SpansMost)) {
     text +=
-        "<tr>" + cell(timeText(span.fromUs)) + cell(format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
+        "<tr>" + cell(timeText(flight.shownUs(span.fromUs))) + cell(format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
   }
   return text + "</table></section>\n";
 }
@@ -160,7 +162,7 @@ std::string facts(const FlightLog &flight, const ReportFacts &facts) {
   text += facts.startUs ? ", " + wallTime(*facts.startUs).substr(0, 19).replace(10, 1, " ") + " UTC" : "";
   text += format(
       "</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
-      timeText(flight.lastUs() - flight.firstUs()).c_str(), static_cast<unsigned long>(counters.frames),
+      timeText(static_cast<int64_t>(flight.lastUs() - flight.firstUs())).c_str(), static_cast<unsigned long>(counters.frames),
       flight.framesPerSecond(), static_cast<unsigned long>(counters.lostFrames), flight.missing(),
       static_cast<unsigned long>(counters.failsafeFrames));
   return text + format("%lu discarded bytes, %lu character errors.</p>\n", observer.discardedBytes(),

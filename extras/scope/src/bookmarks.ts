@@ -3,6 +3,8 @@
 //   # bookmarks               the ones that count follow
 //   # bookmark 16120 stall    us
 
+import { shownSeconds } from './clock';
+
 export interface Bookmark {
   us: number;
   name: string;
@@ -12,7 +14,7 @@ export const longestName = 60; // characters
 
 // Returns the comments for a recording's end; '' without bookmarks, unless the recording has some that are `replaced`.
 export function commentsOf(bookmarks: readonly Bookmark[], replaced = false): string {
-  const lines = bookmarks.map(({ us, name }) => `# bookmark ${Math.round(us)} ${name}\n`);
+  const lines = bookmarks.map(({ us, name }) => `# bookmark ${Math.round(shownSeconds(us / 1e6) * 1e6)} ${name}\n`);
   return lines.length > 0 || replaced ? `# bookmarks\n${lines.join('')}` : '';
 }
 

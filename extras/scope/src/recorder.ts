@@ -1,5 +1,6 @@
 // What the user saves: a recording in the project's format, the values as CSV, or a picture.
 
+import { shownSeconds } from './clock';
 import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
@@ -71,7 +72,7 @@ export function saveCsv(history: History, channels: number): void {
       return Number.isNaN(value) ? '' : +value.toPrecision(7);
     });
     const flags = [...history.switches(sample), Number(history.failsafe(sample)), Number(history.lost(sample))];
-    lines.push([history.time(sample).toFixed(6), ...values, ...flags].join(','));
+    lines.push([shownSeconds(history.time(sample)).toFixed(6), ...values, ...flags].join(','));
   }
   download(`sbus-${stamp()}.csv`, [lines.join('\n'), '\n'], 'text/csv');
 }

@@ -1,5 +1,6 @@
 // Ties a source to the views: takes what comes from it, and draws that sixty times a second.
 
+import { setZero } from './clock';
 import { Bookmarks } from './bookmarks';
 import { Channels } from './channels';
 import type { Core } from './core';
@@ -137,6 +138,7 @@ export class Scope implements Sink {
   }
 
   private enter(source: Source): void {
+    setZero(source.line.zeroUs);
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
     this.room.enter();

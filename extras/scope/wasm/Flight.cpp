@@ -1,4 +1,4 @@
-// The report of a whole recording, as sbus summary --html has it: for the page as JSON, and as a page of its own.
+// The report of a whole recording, as sbus summary -o writes it: for the page as JSON, and as a page of its own.
 #include <algorithm>
 #include <memory>
 

@@ -1,15 +1,17 @@
-// Reads a file: a recording, or a capture of the wire. Its characters are handed over in parts to the instance that
+// Reads a file of any kind, as the command does. Its characters are handed over in parts to the instance that
 // decodes them (FedLine.h).
 #include "Tape.h"
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <memory>
 
 #include "ShownLine.h"
 #include "line/capture/RecordedCapture.h"
 #include "line/capture/SessionReader.h"
-#include "line/recording/Recording.h"
+#include "line/file/FileHead.h"
+#include "line/recording/PlainText.h"
 
 using namespace scope;
 
@@ -20,33 +22,63 @@ namespace {
 std::string &name = theTape.name;
 line::LineSettings &settings = theTape.settings;
 line::Recording &tape = theTape.recording;
-std::unique_ptr<line::RecordingReader> reader;
+line::FileHead head;
+std::unique_ptr<line::LineReader> reader;  // of a text and of bytes
 std::unique_ptr<line::RecordedCapture> capture;
-std::unique_ptr<line::CaptureText> captureText;  // of a capture; no reader then
+std::unique_ptr<line::CaptureText> captureText;  // of a capture
 std::unique_ptr<line::SessionReader> session;    // of a capture that is one
 std::string metadata;                            // of the session
 std::string sessionError;                        // in its samples
+line::PlainText plain;
 std::string partOfLine;
+unsigned long lines = 0;
+std::deque<line::Character> came;
+std::string error;  // in a line
 std::string words;
 
-// A sketch's rows may look like an oscilloscope's columns; rows with times are no capture.
-bool isCapture(std::string_view head, bool isCsv) {
-  if (head.substr(0, 8) == "<SALEAE>") {
-    return true;  // its reader says that it cannot be read
+void keep() {
+  for (const line::Character &character : came) {
+    tape.characters.push_back(character);
   }
-  const std::string format = line::captureFormat(head);
-  const bool hasTimes = head.substr(0, 5) == "time," || head.substr(0, 8) == "seconds,";
-  return !format.empty() && !hasTimes && !(isCsv && format == line::OscilloscopeFormat);
+  came.clear();
 }
 
-// Returns what is wrong with a recording.
-std::string finishRecording() {
-  if (!partOfLine.empty() && !reader->isCsv()) {  // a row without its end may be cut: 99 of 992
-    reader->line(partOfLine);
+void takeLine(std::string_view text, bool isCut) {
+  if (error.empty()) {
+    lines++;
+    error = isCut ? reader->cutLine(text, came) : reader->line(text, came);
+    error = error.empty() ? "" : "line " + std::to_string(lines) + ": " + error;
+    keep();
   }
-  tape = reader->finish();
-  const std::string place = tape.errorLine > 0 ? "line " + std::to_string(tape.errorLine) + ": " : "";
-  return tape.error.empty() ? "" : name + ": " + place + tape.error;
+}
+
+void takeText(std::string_view text) {
+  if (captureText) {
+    captureText->put(text);
+    return;
+  }
+  for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    partOfLine += text.substr(0, end);
+    takeLine(partOfLine, false);
+    partOfLine.clear();
+    text.remove_prefix(end + 1);
+  }
+  partOfLine += text;
+}
+
+// Returns what is wrong with a text or bytes.
+std::string finishText() {
+  takeText(plain.finish());
+  if (!partOfLine.empty()) {
+    takeLine(partOfLine, true);
+  }
+  error = error.empty() ? reader->finish(came) : error;
+  keep();
+  tape.zeroUs = reader->zeroUs();
+  if (reader->bookmarks() != nullptr) {
+    tape.bookmarks = *reader->bookmarks();
+  }
+  return error.empty() ? "" : name + ": " + error;
 }
 
 line::CaptureEnd finishSession() {
@@ -83,19 +115,18 @@ EXPORT(nameFile)(unsigned count)->void {
   name = transferred(count);
 }
 
-// The file's beginning is in the buffer, line::CaptureHeadMax bytes of it.
-EXPORT(openFile)(unsigned count)->void {
-  const std::string_view head = transferred(count);
-  const std::string_view beginning = head.substr(0, line::RecordingBeginning);
-  const bool csv = line::isCsvText(beginning);
-  if (isCapture(head, csv)) {
+// The file's beginning is in the buffer, line::FileHeadMax bytes of it or all. Returns why the page cannot read it, or "".
+EXPORT(openFile)(unsigned count)->const char * {
+  head = line::readFileHead(transferred(count), name);
+  settings = head.settings;
+  theTape.startUs = head.startUs;
+  reader = line::makeReader(head);
+  if (head.kind == line::FileKind::Capture) {
     capture = std::make_unique<line::RecordedCapture>();
     captureText = std::make_unique<line::CaptureText>(name, line::Overrides{}, capture->wire());
-    return;
   }
-  settings = csv ? line::csvSettings() : line::settingsIn(beginning);
-  theTape.startUs = line::startIn(beginning);
-  reader = std::make_unique<line::RecordingReader>(settings.characterUs(), csv);
+  words = head.error.empty() ? "" : name + ": " + head.error;
+  return words.c_str();
 }
 
 // A session's metadata are in the buffer, or a part of them.
@@ -129,25 +160,23 @@ EXPORT(sessionSamples)(unsigned count)->void {
   }
 }
 
+// The file's next bytes are in the buffer.
 EXPORT(fileText)(unsigned count)->void {
-  std::string_view text = transferred(count);
-  if (captureText) {
-    captureText->put(text);
-    return;
+  const std::string_view bytes = transferred(count);
+  if (head.kind == line::FileKind::Bytes) {
+    reader->line(bytes, came);
+    keep();
+  } else {
+    takeText(plain.put(bytes));
   }
-  for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    partOfLine += text.substr(0, end);
-    reader->line(partOfLine);
-    partOfLine.clear();
-    text.remove_prefix(end + 1);
-  }
-  // A reader rejects longer lines: what is after that need not be kept.
-  partOfLine += text.substr(0, line::RecordingLineMax + 1 - std::min(partOfLine.size(), line::RecordingLineMax));
 }
 
 // Returns what is wrong with the file, or "".
 EXPORT(endFile)()->const char * {
-  words = capture ? finishCapture() : finishRecording();
+  if (captureText) {
+    takeText(plain.finish());
+  }
+  words = capture ? finishCapture() : finishText();
   return words.c_str();
 }
 
@@ -155,14 +184,24 @@ EXPORT(endFile)()->const char * {
 EXPORT(bookmarks)()->const char * {
   words.clear();
   for (const line::Bookmark &bookmark : tape.bookmarks) {
-    words += std::to_string(bookmark.us) + '\t' + bookmark.name + '\n';
+    words += std::to_string(bookmark.us - tape.zeroUs) + '\t' + bookmark.name + '\n';
   }
   return words.c_str();
 }
 
 // Returns true for a recording, which comments may follow; false for rows of CSV and a capture.
 EXPORT(isRecording)()->int {
-  return reader != nullptr && !reader->isCsv();
+  return reader != nullptr && reader->bookmarks() != nullptr;
+}
+
+// Returns what a user should know of the file, or "".
+EXPORT(fileNote)()->const char * {
+  return head.note.c_str();
+}
+
+// Returns the file's own time at time 0 of its characters, in us: below 0 if it begins before its trigger.
+EXPORT(recordingZeroUs)()->double {
+  return static_cast<double>(tape.zeroUs);
 }
 
 // Returns what carries the line in a capture, or "".

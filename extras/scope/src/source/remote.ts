@@ -40,6 +40,8 @@ let lines = 0;
 
 export class Remote implements Line {
   wantedUs = 0; // the position to play to
+  note = ''; // what a user should know of a file
+  zeroUs = 0; // a file's own time at time 0, not above 0
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
@@ -89,8 +91,10 @@ export class Remote implements Line {
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const { lengthUs, carrier, bookmarks, picture } = await opened;
+      const { lengthUs, carrier, bookmarks, picture, note = '', zeroUs = 0 } = await opened;
       const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, bookmarks, carrier, picture).listening();
+      remote.note = note;
+      remote.zeroUs = zeroUs;
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
         remote.fail();

@@ -1,10 +1,10 @@
 // The bookmarks of the line: set by a button or B; a card lists them, once there are some.
 
+import { clock } from '../clock';
 import { type Bookmark, type Bookmarks, commentsOf, longestName } from '../bookmarks';
 import { byId, download, make, setText } from '../dom';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
-import { clock } from './strip';
 
 export class BookmarksView {
   private readonly list = byId('bookmarks-list');

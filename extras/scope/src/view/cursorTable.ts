@@ -1,5 +1,6 @@
 // The times and values at the cursors, and their differences.
 
+import { shownSeconds } from '../clock';
 import { make, setText } from '../dom';
 import type { History } from '../history';
 import type { Curve } from './strokes';
@@ -33,7 +34,7 @@ export class CursorTable {
     const gone = samples.some((sample) => sample < this.history.begin || sample >= this.history.end);
     const [a, b] = samples;
     const between = gone ? NaN : this.history.time(b) - this.history.time(a);
-    const time = (sample: number): string => (gone ? '–' : seconds(this.history.time(sample)));
+    const time = (sample: number): string => (gone ? '–' : seconds(shownSeconds(this.history.time(sample))));
     this.fill(0, [time(a), time(b), Number.isNaN(between) ? '–' : signed(between, seconds)]);
     this.fill(1, ['', '', between ? `${+(1 / Math.abs(between)).toPrecision(4)} Hz` : '–']);
     curves.forEach(({ column, unit }, i) => {

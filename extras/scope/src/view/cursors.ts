@@ -1,6 +1,7 @@
 // Two cursors on the curves, A and B: dragged, or moved by keys. Each stays at a frame's time, and waits at the edge while that
 // is out of sight.
 
+import { shownSeconds } from '../clock';
 import { make, setAttribute } from '../dom';
 import type { History } from '../history';
 import type { Viewport } from './viewport';
@@ -78,7 +79,7 @@ export class Cursors {
       setAttribute(handle, 'aria-valuemin', String(Math.floor(Math.min(begin, time))));
       setAttribute(handle, 'aria-valuemax', String(Math.ceil(Math.max(edge, time))));
       setAttribute(handle, 'aria-valuenow', time.toFixed(3));
-      setAttribute(handle, 'aria-valuetext', `${time.toFixed(3)} s`);
+      setAttribute(handle, 'aria-valuetext', `${shownSeconds(time).toFixed(3)} s`);
     });
   }
 

@@ -1,5 +1,6 @@
 // The line, byte by byte. Pointing at a bit shows its channel; meanwhile the view holds still.
 
+import { secondsText } from '../clock';
 import type { Core } from '../core';
 import { make, setText } from '../dom';
 import { Flag, Kind, type Stretch } from '../line';
@@ -92,7 +93,7 @@ export class FramesView {
       return;
     }
     const [time, code, why] = Array.from(row.children) as HTMLElement[];
-    setText(time, (stretch.endUs / 1e6).toFixed(3));
+    setText(time, secondsText(stretch.endUs).slice(0, -2));
     setText(code, Array.from(stretch.bytes, hex).join(' '));
     const flags = stretch.flags & Flag.Failsafe && !(stretch.flags & Flag.ByLosses) ? 'failsafe' : stretch.flags & Flag.LostFrame ? 'lost frame' : stretch.kind === Kind.Frame && stretch.flags & Flag.NoPulses ? 'no pulses' : '';
     setText(why, stretch.why || flags);

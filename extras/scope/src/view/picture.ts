@@ -1,5 +1,6 @@
 // The curves as they are shown, as an SVG file: it stays sharp at any size, also on paper, and its texts can be edited.
 
+import { shownSeconds } from '../clock';
 import type { History } from '../history';
 import { ticksOf, type Unit } from '../unit';
 import { colorOf, dashOf } from './dash';
@@ -37,7 +38,7 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
     void parts.push(`<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" ${paint('stroke', stroke)}${more}/>`);
 
   text(left, 28, title, ` font-size="18" font-weight="600" ${paint('fill', palette.ink)}`);
-  text(left, 50, `${+area.seconds.toPrecision(3)} s up to ${area.edge.toFixed(3)} s`);
+  text(left, 50, `${+area.seconds.toPrecision(3)} s up to ${shownSeconds(area.edge).toFixed(3)} s`);
   parts.push(`<clipPath id="plot"><rect x="${left}" y="${top}" width="${area.width}" height="${plotHeight}"/></clipPath>`);
   parts.push('<g clip-path="url(#plot)">');
   bands(history, area, (x, wide, failsafe) => {
@@ -54,7 +55,7 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
   for (let tick = Math.ceil(Math.max(area.edge - area.seconds, 0) / step); tick * step <= area.edge; tick++) {
     const x = +(left + ((tick * step - area.edge) / area.seconds + 1) * area.width).toFixed(1);
     line(x, top, x, bottom, palette.grid);
-    text(x, bottom + 18, `${+(tick * step).toFixed(2)} s`, ' text-anchor="middle"');
+    text(x, bottom + 18, `${+shownSeconds(tick * step).toFixed(2)} s`, ' text-anchor="middle"');
   }
   curves.forEach((curve, i) => {
     const { column, name, unit: own } = curve;

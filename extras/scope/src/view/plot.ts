@@ -1,5 +1,6 @@
 // What the plots have in common: their axes, their curves over a history, and their pointer.
 
+import { shownSeconds } from '../clock';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { History } from '../history';
@@ -31,7 +32,7 @@ export const scalesOf = (low: number, high: number): uPlot.Scales => ({ x: { tim
 export function axesOf(unit: Unit, palette: Palette): uPlot.Axis[] {
   const axis = axisOf(palette);
   return [
-    { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+tick.toFixed(2)} s`)) }, // a line begins at 0
+    { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+shownSeconds(tick).toFixed(2)} s`)) }, // a line begins at 0
     { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
   ];
 }
@@ -93,5 +94,5 @@ export function valuesAt(history: History, curves: readonly Curve[], seconds: nu
     const value = history.value(sample, column);
     return `${name} ${Number.isNaN(value) ? '–' : unit.text(value)}`;
   });
-  return [`${history.time(sample).toFixed(3)} s`, ...values].join('   ');
+  return [`${shownSeconds(history.time(sample)).toFixed(3)} s`, ...values].join('   ');
 }

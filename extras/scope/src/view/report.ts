@@ -1,9 +1,9 @@
 // A whole recording at a glance: its verdict, its figures, its worst seconds and its longest faults, each of which can be visited.
 
+import { clock } from '../clock';
 import { byId, make, setAttribute, setText } from '../dom';
 import { type Flight, FlightKind, type FlightPart } from '../faults';
 import type { RecordingSource } from '../source/recording';
-import { clock } from './strip';
 
 const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
 const kinds = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];

@@ -1,6 +1,7 @@
 // The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
 // Each fault has a height of its own, so that they can be told apart without colours; losses are as high as they are many.
 
+import { clock } from '../clock';
 import type { Bookmark } from '../bookmarks';
 import { binCount, Fault, faultNames, faults, type FaultMap, type Flight, type Span } from '../faults';
 import { byId, make, setAttribute, setText, svg } from '../dom';
@@ -14,14 +15,6 @@ const lossTall = 5.5; // all frames of a second lost
 // Top and height, of `tall`, by Fault. Lost frames are a thin line until it is known how many they are.
 const bands: [number, number][] = [[0, 8], [0, 8], [7.5, 0.5], [0, 2.5], [3.5, 1], [6.5, 1.5]];
 const classes = ['failsafe', 'failsafe', 'lost', 'damage', 'silence', 'late'];
-
-// Returns 1:02.345.
-export function clock(us: number, digits = 3): string {
-  const units = Math.floor(us / 10 ** (6 - digits));
-  const minute = 60 * 10 ** digits;
-  const seconds = ((units % minute) / 10 ** digits).toFixed(digits);
-  return `${Math.floor(units / minute)}:${seconds.padStart(digits + 3, '0')}`;
-}
 
 const textOf = ({ fault, fromUs, toUs }: Span): string => `${faultNames[fault]}, ${clock(fromUs)}${toUs > fromUs ? ` to ${clock(toUs)}` : ''}`;
 

@@ -1,11 +1,12 @@
 // A recording's time line.
 
+import { clock } from '../clock';
 import type { Bookmarks } from '../bookmarks';
 import { byId, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
 import { ReportView } from './report';
-import { clock, namesOf, Strip } from './strip';
+import { namesOf, Strip } from './strip';
 
 const stepUs = 1000000; // of an arrow key
 const leastSteps = 100; // from end to end

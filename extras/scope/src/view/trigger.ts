@@ -1,6 +1,7 @@
 // The trigger: stops curves and bytes at a moment at which a condition becomes true. `single` stops once; `normal` goes on and stops
 // at each event. In a recording it also goes to the next event.
 
+import { secondsText } from '../clock';
 import { byId, setText } from '../dom';
 import type { Core } from '../core';
 import { Flag, Kind, type Stretch } from '../line';
@@ -197,4 +198,4 @@ export class TriggerView {
   }
 }
 
-const seconds = (us: number): string => `${(us / 1e6).toFixed(3)} s`;
+const seconds = (us: number): string => secondsText(us);

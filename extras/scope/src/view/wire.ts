@@ -1,5 +1,6 @@
 // The wire of a capture: its edges, from the whole capture down to a bit, and the names of the bits below them.
 
+import { secondsText, tickText } from '../clock';
 import type uPlot from 'uplot';
 import { byId, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
@@ -140,17 +141,17 @@ export class WireView {
       return '';
     }
     if (shown.keptUs > 0 && shown.toUs > shown.keptUs) {
-      return `Edges are kept up to ${(shown.keptUs / 1e6).toFixed(3)} s: there was no room for more.`;
+      return `Edges are kept up to ${secondsText(shown.keptUs)}: there was no room for more.`;
     }
     const us = 1e6 * (pointedAt(plot) ?? (shown.fromUs + shown.toUs) / 2e6);
     const at = shown.characters.filter((character) => character.us <= us).at(-1);
     if (!at || us > at.us + names.length * shown.bitUs) {
-      return shown.characters.length > 0 ? `${(us / 1e6).toFixed(6)} s: the line is idle.` : `${(us / 1e6).toFixed(6)} s`;
+      return shown.characters.length > 0 ? `${secondsText(us, 6)}: the line is idle.` : secondsText(us, 6);
     }
     const bit = Math.min(Math.floor((us - at.us) / shown.bitUs), names.length - 1);
     const wrong = [at.parityWrong && 'wrong parity', at.stopWrong && 'wrong stop bit'].filter(Boolean).join(', ');
     const value = bit >= firstData && bit < parity ? ` = ${(at.value >> (bit - firstData)) & 1}` : '';
-    return `${hex(at.value)} at ${(at.us / 1e6).toFixed(6)} s${wrong && `, ${wrong}`}; here ${names[bit]}${value}.`;
+    return `${hex(at.value)} at ${secondsText(at.us, 6)}${wrong && `, ${wrong}`}; here ${names[bit]}${value}.`;
   }
 
   private make(): uPlot {
@@ -162,7 +163,7 @@ export class WireView {
       axes: [
         {
           ...axisOf(palette), size: 28, space: 110,
-          values: (_, ticks, __, ___, apart) => ticks.map((tick) => `${tick.toFixed(Math.max(0, -Math.floor(Math.log10(apart) + 1e-9)))} s`),
+          values: (_, ticks, __, ___, apart) => ticks.map((tick) => tickText(tick, Math.max(0, -Math.floor(Math.log10(apart) + 1e-9)))),
         },
         { show: false },
       ],

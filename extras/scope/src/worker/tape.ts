@@ -3,7 +3,7 @@
 import type { Bookmark } from '../bookmarks';
 import type { Comparison } from '../comparison';
 import type { Flight } from '../faults';
-import { CaptureHeadMax, CharacterSize } from '../border';
+import { CharacterSize, FileHeadMax } from '../border';
 import { imports, Native } from '../native';
 import { bytesOf } from './bytes';
 import type { Wire } from './messages';
@@ -19,6 +19,8 @@ export class Tape {
   lengthUs = 0;
   bookmarks?: Bookmark[]; // of a recording as a plain text
   carrier = ''; // of a capture: the signal that carries the line
+  note = ''; // what a user should know of the file
+  zeroUs = 0; // the file's own time at time 0, not above 0
   private readonly native: Native;
 
   constructor(module: WebAssembly.Module) {
@@ -34,7 +36,7 @@ export class Tape {
     const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
     const isZip = first === 0x50 && second === 0x4b;
     const isGzip = first === 0x1f && second === 0x8b;
-    const error = isZip ? await this.readSession(file, taken) : await this.readText(file, isGzip, taken);
+    const error = isZip ? await this.readZip(file, taken) : await this.readText(file, isGzip ? 'gzip' : undefined, taken);
     if (error !== '') {
       return error;
     }
@@ -44,35 +46,40 @@ export class Tape {
       this.size = calls.recordingSize();
       this.lengthUs = calls.recordingLengthUs();
       this.carrier = this.native.words(calls.carrier());
+      this.note = this.native.words(calls.fileNote());
+      this.zeroUs = calls.recordingZeroUs();
       this.bookmarks = isZip || isGzip || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
     }
     return wrong;
   }
 
   // `taken`: how many more bytes of the file were read.
-  private async readText(file: File, isGzip: boolean, taken: (count: number) => void): Promise<string> {
-    const { calls } = this.native;
-    const reader = bytesOf(file, isGzip ? 'gzip' : undefined, taken);
-    let head = new Uint8Array();
-    let part = await reader.read();
-    for (; !part.done && head.length < CaptureHeadMax; part = await reader.read()) {
-      head = joined(head, part.value);
+  private async readText(file: File, packing: CompressionFormat | undefined, taken: (count: number) => void): Promise<string> {
+    const reader = bytesOf(file, packing, taken);
+    const text = new Text(this.native);
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      text.take(part.value);
     }
-    this.native.transfer(head.subarray(0, CaptureHeadMax), (count) => calls.openFile(count));
-    if (head.length === 0) {
-      calls.openFile(0);
-    }
-    this.native.transfer(head, (count) => calls.fileText(count));
-    for (; !part.done; part = await reader.read()) {
-      this.native.transfer(part.value, (count) => calls.fileText(count));
-    }
-    return '';
+    return text.end();
   }
 
-  // A session of sigrok and PulseView. Its samples are one entry, or several that are numbered.
-  private async readSession(file: File, taken: (count: number) => void): Promise<string> {
+  // A session of sigrok and PulseView, or a ZIP of one file. A session's samples are one entry, or several that are numbered.
+  private async readZip(file: File, taken: (count: number) => void): Promise<string> {
     const { calls } = this.native;
     const entries = await directory(file);
+    const files = [...entries].filter(([name]) => !name.endsWith('/'));
+    if (!entries.has('metadata')) {
+      const text = new Text(this.native);
+      if (files.length === 1) {
+        await unpack(file, files[0][1], (bytes) => text.take(bytes), taken);
+      } else {
+        text.take(new Uint8Array(await file.slice(0, 64).arrayBuffer())); // which program's it is
+      }
+      const error = text.end();
+      if (error !== '' || files.length === 1) {
+        return error;
+      }
+    }
     const put = async (entry: Entry | undefined, call: (count: number) => void): Promise<boolean> => {
       if (entry) {
         await unpack(file, entry, (bytes) => this.native.transfer(bytes, call), taken);
@@ -171,6 +178,47 @@ export class Tape {
   private handed(size: number): Uint8Array {
     const { calls } = this.native;
     return new Uint8Array(calls.memory.buffer, calls.transferBuffer(), size).slice();
+  }
+}
+
+// Hands over a file's bytes, its head first.
+class Text {
+  private head?: Uint8Array<ArrayBuffer> = new Uint8Array();
+  private error = '';
+
+  constructor(private readonly native: Native) {}
+
+  take(bytes: Uint8Array): void {
+    if (!this.head) {
+      this.hand(bytes);
+    } else if ((this.head = joined(this.head, bytes)).length >= FileHeadMax) {
+      this.open();
+    }
+  }
+
+  // Returns why the page cannot read the file, or ''.
+  end(): string {
+    this.open();
+    return this.error;
+  }
+
+  private open(): void {
+    const { head = new Uint8Array() } = this;
+    if (this.head) {
+      const open = (count: number): void => void (this.error = this.native.words(this.native.calls.openFile(count)));
+      if (head.length === 0) {
+        open(0);
+      }
+      this.native.transfer(head.subarray(0, FileHeadMax), open);
+      this.head = undefined;
+      this.hand(head);
+    }
+  }
+
+  private hand(bytes: Uint8Array): void {
+    if (this.error === '') {
+      this.native.transfer(bytes, (count) => this.native.calls.fileText(count));
+    }
   }
 }
 

@@ -1,10 +1,11 @@
-#include "line/capture/CaptureFile.h"
+#include "line/file/CaptureFile.h"
 
 #include <stdexcept>
 
 #include "line/capture/PackedFile.h"
 #include "line/capture/SessionReader.h"
 #include "line/capture/TextFile.h"
+#include "line/file/FileHead.h"
 
 namespace line {
 
@@ -56,7 +57,22 @@ CaptureEnd readCapture(const std::string &path, const std::string &name, const O
   file.findOnly();
   CaptureText text(name, overrides, decoder);
   TextFile plain(file);
-  for (std::string_view read = plain.read(); !read.empty() && text.put(read); read = plain.read()) {
+  // A pipe brings a few bytes first.
+  std::string begin(plain.read());
+  while (!begin.empty() && begin.find('\n') == std::string::npos && begin.size() < FileHeadMax) {
+    const std::string_view read = plain.read();
+    if (read.empty()) {
+      break;
+    }
+    begin += read;
+  }
+  const std::string other = whyNoCapture(kindOfText(begin), begin);
+  if (!other.empty()) {
+    throw std::runtime_error(name + ": " + other);
+  }
+  bool goesOn = text.put(begin);
+  for (std::string_view read = plain.read(); goesOn && !read.empty(); read = plain.read()) {
+    goesOn = text.put(read);
   }
   CaptureEnd end = text.finish(file.failure());
   if (!end.rejection.empty()) {

@@ -8,19 +8,19 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/TextLine.h"
-#include "cli/Units.h"
+#include "line/file/LineReader.h"
+#include "line/file/Units.h"
 #include "line/LineSettings.h"
 #include "line/Statistics.h"
 #include "line/recording/CsvRows.h"
 #include "sbus/Frame.h"
 
-namespace tool {
+namespace line {
 
 constexpr size_t TableChannelMax = 32;
 
 // The values of a frame. CH3 starts at its low end, throttle off, like the failsafe of the paper's R-XSR.
-struct FrameValues : line::Values {
+struct FrameValues : Values {
   FrameValues() {
     raw.fill(992);
     raw[2] = 172;
@@ -29,11 +29,11 @@ struct FrameValues : line::Values {
   uint8_t end = 0;
 };
 
-// Sets a value: "ch3=172", "ch3=1500us", "ch5=on" or "failsafe=on". Throws std::runtime_error.
-void assign(const std::string &word, const sbus::Range &range, FrameValues &values);
+// Sets a value: "ch3=172", "ch3=1500us", "ch5=on" or "failsafe=on". Returns what is wrong with the word, or nothing.
+std::string assign(const std::string &word, const sbus::Range &range, FrameValues &values);
 
 struct TableRow {
-  std::optional<uint64_t> us;
+  std::optional<int64_t> us;
   FrameValues values;
   bool hasFirst = false;  // one of CH1 to CH16
   bool hasRest = false;   // one of CH17 and above, if these are channels
@@ -67,34 +67,36 @@ class TableRows {
 
   static bool parseName(const std::string &text, Column &column);
   std::string takeNames(const std::vector<std::string> &names);
-  std::string takeRow(const line::CsvRow &fields);
-  std::string takeField(const Column &column, const line::CsvField &field);
-  std::string takeTime(const Column &column, const line::CsvField &field);
+  std::string takeRow(const CsvRow &fields);
+  std::string takeField(const Column &column, const CsvField &field);
+  std::string takeTime(const Column &column, const CsvField &field);
   std::vector<std::string> defaultNames() const;
 
-  line::CsvRows _parser;
+  CsvRows _parser;
   std::vector<Column> _columns;
   size_t _channels = 0;
   TableRow _row;
-  std::optional<uint64_t> _lastUs;
+  std::optional<int64_t> _lastUs;
   bool _isRow = false;
 };
 
 // Appends the frames for a row of `channels` channels to `characters`. The last one ends at `endUs`, or later if the
 // line is busy until `lastUs`. Returns its end.
 uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
-                      std::deque<line::Character> &characters);
+                      std::deque<Character> &characters);
 
 // Makes a frame of each row of a whole table.
 class TableReader : public LineReader {
  public:
-  explicit TableReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}
+  explicit TableReader(const LineSettings &settings) : _characterUs(settings.characterUs()) {}
 
-  std::string line(std::string_view text, std::deque<line::Character> &characters) override;
-  std::string cutLine(std::string_view text, std::deque<line::Character> & /*characters*/) override {
+  std::string line(std::string_view text, std::deque<Character> &characters) override;
+  std::string cutLine(std::string_view text, std::deque<Character> & /*characters*/) override {
     return _rows.cutLine(text);
   }
-  std::string finish() override { return _any ? "" : "has no rows; rows as sbus csv prints them are expected"; }
+  std::string finish(std::deque<Character> & /*characters*/) override {
+    return _any ? "" : "has no rows; rows as sbus csv prints them are expected";
+  }
   std::string news() override { return _overlaps.take(); }
 
  private:
@@ -112,4 +114,4 @@ enum class FrameTable { No, Maybe, Yes };
 // Finds that out by the whole lines at the text's beginning.
 FrameTable frameTable(std::string_view head);
 
-}  // namespace tool
+}  // namespace line

@@ -7,7 +7,7 @@
 
 #include "sbus/Scaling.h"
 
-namespace tool {
+namespace line {
 
 enum class Unit { Raw, Us, Percent };
 
@@ -29,4 +29,4 @@ bool isRange(unsigned low, unsigned centre, unsigned high);
 // Reads "1500", "1500us" or "-50%". Returns nothing for any other text.
 std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &range);
 
-}  // namespace tool
+}  // namespace line

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/TextLine.h"
+#include "line/file/LineReader.h"
 #include "line/LineSettings.h"
 #include "sbus/Scaling.h"
 
-namespace tool {
+namespace line {
 
 // Splits a text into objects.
 class JsonSplitter {
@@ -36,7 +36,7 @@ class JsonSplitter {
 
 // What the first objects say about the line.
 struct JsonHead {
-  line::LineSettings settings;
+  LineSettings settings;
   std::optional<int64_t> startUs;  // time 0 in us since 1970
   bool hasTimes = true;            // its frames have times
   bool isRead = false;             // its frames say when they were read
@@ -50,17 +50,17 @@ JsonHead readJsonHead(std::string_view text);
 // time ends 9 ms after the previous one.
 class JsonReader : public LineReader {
  public:
-  explicit JsonReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}
+  explicit JsonReader(const LineSettings &settings) : _characterUs(settings.characterUs()) {}
 
-  std::string line(std::string_view text, std::deque<line::Character> &characters) override;
-  std::string finish() override;
+  std::string line(std::string_view text, std::deque<Character> &characters) override;
+  std::string finish(std::deque<Character> &characters) override;
   std::string news() override { return _overlaps.take(); }
   bool isComplete() const override { return _hasEnded; }
 
  private:
-  std::string take(const std::string &object, std::deque<line::Character> &characters);
-  std::string put(std::optional<double> endUs, uint32_t lateUs, const std::vector<line::Character> &came,
-                  std::deque<line::Character> &characters);
+  std::string take(const std::string &object, std::deque<Character> &characters);
+  std::string put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
+                  std::deque<Character> &characters);
 
   const uint32_t _characterUs;
   JsonSplitter _splitter;
@@ -71,4 +71,4 @@ class JsonReader : public LineReader {
   sbus::Range _range = sbus::FrSky;
 };
 
-}  // namespace tool
+}  // namespace line

@@ -1,12 +1,12 @@
-#include "cli/JsonReader.h"
+#include "line/file/JsonReader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "cli/HexText.h"
-#include "cli/Units.h"
+#include "line/file/ByteText.h"
+#include "line/file/Units.h"
 #include "line/Format.h"
 #include "line/FrameBytes.h"
 #include "line/recording/Recording.h"
@@ -15,7 +15,7 @@
 #include "sbus/Frame.h"
 #include "sbus/Slots.h"
 
-namespace tool {
+namespace line {
 
 namespace {
 
@@ -36,8 +36,8 @@ bool timeOf(const Object &object, std::optional<double> &us) {
   if (time == object.end() || time->is_null()) {
     return true;
   }
-  us = time->is_number() ? time->get<double>() : -1;
-  return *us >= 0 && *us <= static_cast<double>(line::RecordingTimeMaxUs);
+  us = time->is_number() ? time->get<double>() : HUGE_VAL;
+  return std::abs(*us) <= static_cast<double>(RecordingTimeMaxUs);
 }
 
 // Reads read_us or late_us; 0 if it is absent. Returns false if it is not a time.
@@ -83,7 +83,7 @@ std::string channelsOf(const Object &object, const sbus::Range &range, std::vect
     const Object &value = (*values)[i];
     const std::optional<uint16_t> one = value.is_number() ? rawOf(value.get<double>(), unit, range) : std::nullopt;
     if (!one) {
-      return quoted(line::format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " +
+      return quoted(format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " +
              extentOf(unit, range);
     }
     raw.push_back(*one);
@@ -98,14 +98,15 @@ bool endOf(const Object &object, uint8_t &end) {
     end = 0;
     return true;
   }
-  const HexText hex = parseHex(found->is_string() ? found->get<std::string>() : "?");
-  const bool isByte = hex.wrong.empty() && hex.bytes.size() == 1 && !hex.bytes[0].bad;
-  end = isByte ? hex.bytes[0].value : 0;
+  ByteText::Bytes bytes;
+  const std::string wrong = parseHex(found->is_string() ? found->get<std::string>() : "?", bytes);
+  const bool isByte = wrong.empty() && bytes.size() == 1 && !bytes[0].bad;
+  end = isByte ? bytes[0].value : 0;
   return isByte;
 }
 
 // Reads a frame. Returns what is wrong, or nothing.
-std::string frameOf(const Object &object, const sbus::Range &range, std::vector<line::Character> &characters) {
+std::string frameOf(const Object &object, const sbus::Range &range, std::vector<Character> &characters) {
   std::vector<uint16_t> channels;
   const std::string wrong = channelsOf(object, range, channels);
   if (!wrong.empty()) {
@@ -117,7 +118,7 @@ std::string frameOf(const Object &object, const sbus::Range &range, std::vector<
     return quoted("first", *first) + " is not 1, or 17 of a frame with header 2F";
   }
   const bool is24 = channels.size() == sbus::ChannelCount24;
-  line::Values values;
+  Values values;
   std::copy(channels.begin(), channels.end(), values.raw.begin() + (isExtra ? sbus::ProportionalCount : 0));
   for (const auto &[name, value] : {std::pair<const char *, bool *>{isExtra ? "dg1" : "ch17", &values.switches[0]},
                                     {isExtra ? "dg2" : "ch18", &values.switches[1]},
@@ -131,13 +132,13 @@ std::string frameOf(const Object &object, const sbus::Range &range, std::vector<
   if (!endOf(object, end)) {
     return quoted("end", object["end"]) + " is not an end byte in hexadecimal, such as \"00\"";
   }
-  using Kind = line::Stretch::Kind;
+  using Kind = Stretch::Kind;
   const Kind kind = is24 ? Kind::Frame24 : isExtra ? Kind::Extra : Kind::Frame;
-  characters = line::charactersOf(line::frameBytes(kind, values, end));
+  characters = charactersOf(frameBytes(kind, values, end));
   return {};
 }
 
-std::string slotOf(const Object &object, std::vector<line::Character> &characters) {
+std::string slotOf(const Object &object, std::vector<Character> &characters) {
   const auto slot = object.find("slot");
   const auto data = object.find("data");
   const auto isWithin = [](const Object &value, unsigned most) {
@@ -148,18 +149,19 @@ std::string slotOf(const Object &object, std::vector<line::Character> &character
     return "a slot has slot, 0 to 31, and data, two numbers from 0 to 255";
   }
   characters =
-      line::charactersOf({sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()});
+      charactersOf({sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()});
   return {};
 }
 
-std::string bytesOf(const Object &object, const char *name, std::vector<line::Character> &characters) {
+std::string bytesOf(const Object &object, const char *name, std::vector<Character> &characters) {
   const auto text = object.find(name);
-  const HexText hex = parseHex(text != object.end() && text->is_string() ? text->get<std::string>() : "?");
-  if (!hex.wrong.empty() || hex.bytes.empty()) {
+  ByteText::Bytes bytes;
+  if (!parseHex(text != object.end() && text->is_string() ? text->get<std::string>() : "?", bytes).empty() ||
+      bytes.empty()) {
     return std::string(name) + ": bytes in hexadecimal are expected, such as \"0F E3\"";
   }
-  for (const HexText::Byte &byte : hex.bytes) {
-    line::Character character;
+  for (const ByteText::Byte &byte : bytes) {
+    Character character;
     character.value = byte.value;
     character.bad = byte.bad;
     characters.push_back(character);
@@ -177,7 +179,7 @@ void takeLineObject(const Object &object, JsonHead &head) {
   head.hasTimes = timed == object.end() || *timed != false;
   int64_t us = 0;
   const auto start = object.find("start");
-  if (start != object.end() && start->is_string() && line::parseWallTime(start->get<std::string>(), us)) {
+  if (start != object.end() && start->is_string() && parseWallTime(start->get<std::string>(), us)) {
     head.startUs = us;
   }
 }
@@ -241,10 +243,10 @@ bool JsonSplitter::put(char c) {
   return isBegun && _depth == 0;
 }
 
-std::string JsonReader::line(std::string_view text, std::deque<line::Character> &characters) {
+std::string JsonReader::line(std::string_view text, std::deque<Character> &characters) {
   for (const char c : text) {
-    if (!_splitter.isWithin() && c != '{' && !line::isBlank(c)) {
-      return line::quoted(line::withoutBlanks(text)) + " is not a JSON object; " + Expected;
+    if (!_splitter.isWithin() && c != '{' && !isBlank(c)) {
+      return quoted(withoutBlanks(text)) + " is not a JSON object; " + Expected;
     }
     if (!_splitter.put(c)) {
       continue;
@@ -258,14 +260,14 @@ std::string JsonReader::line(std::string_view text, std::deque<line::Character> 
   return {};
 }
 
-std::string JsonReader::finish() {
+std::string JsonReader::finish(std::deque<Character> & /*characters*/) {
   return _splitter.isWithin() ? std::string("ends within an object; ") + Expected
          : !_any              ? std::string("has no frames; ") + Expected
                               : "";
 }
 
 // Returns what is wrong with the object, or nothing.
-std::string JsonReader::take(const std::string &object, std::deque<line::Character> &characters) {
+std::string JsonReader::take(const std::string &object, std::deque<Character> &characters) {
   const Object read = Object::parse(object, nullptr, false);
   if (!read.is_object()) {
     return line::quoted(object) + " is not a JSON object; " + Expected;
@@ -278,7 +280,7 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
   if (!isLineType(type)) {
     return {};
   }
-  std::vector<line::Character> came;
+  std::vector<Character> came;
   const std::string wrong = type == "frame"      ? frameOf(read, _range, came)
                             : type == "slot"     ? slotOf(read, came)
                             : type == "no_frame" ? bytesOf(read, "bytes", came)
@@ -293,7 +295,7 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
       return quoted(name, read[name]) + " is not a time in microseconds";
     }
   }
-  for (line::Character &character : came) {
+  for (Character &character : came) {
     character.sinceUs = sinceUs;
   }
   if (type == "character") {
@@ -308,17 +310,21 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
 }
 
 // Appends characters that end at `endUs`, back to back.
-std::string JsonReader::put(std::optional<double> endUs, uint32_t lateUs, const std::vector<line::Character> &came,
-                            std::deque<line::Character> &characters) {
-  const uint64_t endOfAll = endUs ? static_cast<uint64_t>(std::llround(*endUs)) : _lastUs + PeriodUs;
+std::string JsonReader::put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
+                            std::deque<Character> &characters) {
+  const int64_t us = endUs ? std::llround(*endUs) : static_cast<int64_t>(_lastUs + PeriodUs);
+  if (!_any && endUs) {
+    begin(us - static_cast<int64_t>(came.size() * _characterUs));
+  }
+  const uint64_t endOfAll = static_cast<uint64_t>(std::max<int64_t>(0, us - (endUs ? zeroUs() : 0)));
   if (_any && endOfAll + OverlapMostUs < _lastUs) {
-    return line::format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
+    return format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
                         static_cast<unsigned long long>(_lastUs));
   }
-  _lastUs = line::appendLate(came, endOfAll, _lastUs, _characterUs, lateUs, characters);
+  _lastUs = appendLate(came, endOfAll, _lastUs, _characterUs, lateUs, characters);
   _overlaps.put(_any ? endOfAll : _lastUs, _lastUs);
   _any = true;
   return {};
 }
 
-}  // namespace tool
+}  // namespace line

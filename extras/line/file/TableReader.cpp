@@ -1,15 +1,15 @@
-#include "cli/TableReader.h"
+#include "line/file/TableReader.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "cli/HexText.h"
+#include "line/file/ByteText.h"
 #include "line/FrameBytes.h"
 #include "line/capture/Parsing.h"
 #include "line/recording/Recording.h"
 #include "line/recording/Words.h"
 
-namespace tool {
+namespace line {
 
 namespace {
 
@@ -17,17 +17,17 @@ constexpr uint64_t PeriodUs = 9000;  // between rows without times
 constexpr uint64_t FrameUsMost = 50000;
 constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18, in a table that ends there
 
-std::string nameOf(line::CsvKind kind, size_t column) {
+std::string nameOf(CsvKind kind, size_t column) {
   switch (kind) {
-    case line::CsvKind::Failsafe:
+    case CsvKind::Failsafe:
       return "failsafe";
-    case line::CsvKind::LostFrame:
+    case CsvKind::LostFrame:
       return "lostFrame";
-    case line::CsvKind::Switch17:
+    case CsvKind::Switch17:
       return "CH17";
-    case line::CsvKind::Switch18:
+    case CsvKind::Switch18:
       return "CH18";
-    case line::CsvKind::Channel:
+    case CsvKind::Channel:
       break;
   }
   return "CH" + std::to_string(column + 1);
@@ -35,7 +35,7 @@ std::string nameOf(line::CsvKind kind, size_t column) {
 
 // Returns true for an empty line or a comment.
 bool isNothing(std::string_view text) {
-  return line::withoutBlanks(text).empty() || text.front() == '#';
+  return withoutBlanks(text).empty() || text.front() == '#';
 }
 
 bool isFlag(double value) {
@@ -45,9 +45,9 @@ bool isFlag(double value) {
 }  // namespace
 
 bool TableRows::parseName(const std::string &text, Column &column) {
-  const std::string word = line::lower(text);
+  const std::string word = lower(text);
   double channel = 0;
-  const bool isChannel = word.rfind("ch", 0) == 0 && line::parseNumber(word.substr(2), channel) && channel >= 1 &&
+  const bool isChannel = word.rfind("ch", 0) == 0 && parseNumber(word.substr(2), channel) && channel >= 1 &&
                          channel <= TableChannelMax && channel == std::floor(channel);
   if (isChannel) {
     column = {Kind::Channel, static_cast<size_t>(channel) - 1, 1};
@@ -87,7 +87,7 @@ std::string TableRows::line(std::string_view text) {
   }
   std::vector<std::string> names;
   const bool isHeader = !_parser.row().front().isNumber;
-  for (const line::CsvField &field : _parser.row()) {
+  for (const CsvField &field : _parser.row()) {
     names.push_back(field.text);
   }
   const std::string wrong = takeNames(isHeader ? names : defaultNames());
@@ -103,7 +103,7 @@ std::string TableRows::takeNames(const std::vector<std::string> &names) {
   for (const std::string &each : names) {
     Column column;
     if (!parseName(each, column)) {
-      return line::quoted(each) +
+      return quoted(each) +
              " is not a column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
     }
     const bool isAgain =
@@ -111,7 +111,7 @@ std::string TableRows::takeNames(const std::vector<std::string> &names) {
           return other.kind == column.kind && other.index == column.index;
         });
     if (isAgain) {
-      return line::quoted(each) + " is the name of two columns; leave one of them out";
+      return quoted(each) + " is the name of two columns; leave one of them out";
     }
     _channels = column.kind == Kind::Channel ? std::max(_channels, column.index + 1) : _channels;
     _columns.push_back(column);
@@ -144,7 +144,7 @@ bool TableRows::isWhole() const {
          std::all_of(has, has + most, [](bool each) { return each; });
 }
 
-std::string TableRows::takeRow(const line::CsvRow &fields) {
+std::string TableRows::takeRow(const CsvRow &fields) {
   if (fields.size() != _columns.size()) {
     return "has " + std::to_string(fields.size()) + " fields; " + std::to_string(_columns.size()) + " are expected";
   }
@@ -152,7 +152,7 @@ std::string TableRows::takeRow(const line::CsvRow &fields) {
   for (size_t i = 0; i < fields.size(); i++) {
     const std::string wrong = takeField(_columns[i], fields[i]);
     if (!wrong.empty()) {
-      return line::quoted(fields[i].text) + " is not a value for column " + std::to_string(i + 1) + "; " + wrong;
+      return quoted(fields[i].text) + " is not a value for column " + std::to_string(i + 1) + "; " + wrong;
     }
   }
   if (_row.us && _lastUs && *_row.us < *_lastUs) {
@@ -164,7 +164,7 @@ std::string TableRows::takeRow(const line::CsvRow &fields) {
 }
 
 // Returns what is expected instead of a wrong field; nothing for a valid one.
-std::string TableRows::takeField(const Column &column, const line::CsvField &field) {
+std::string TableRows::takeField(const Column &column, const CsvField &field) {
   const bool isEmpty = field.text.empty();
   switch (column.kind) {
     case Kind::Time:
@@ -181,9 +181,9 @@ std::string TableRows::takeField(const Column &column, const line::CsvField &fie
       (column.index < sbus::ProportionalCount ? _row.hasFirst : _row.hasRest) = true;
       return {};
     case Kind::End: {
-      const HexText hex = parseHex(field.text);
-      const bool isByte = hex.wrong.empty() && hex.bytes.size() == 1;
-      _row.values.end = isByte ? hex.bytes[0].value : uint8_t{0};
+      ByteText::Bytes bytes;
+      const bool isByte = parseHex(field.text, bytes).empty() && bytes.size() == 1;
+      _row.values.end = isByte ? bytes[0].value : uint8_t{0};
       return isByte ? "" : "an end byte in hexadecimal is expected";
     }
     case Kind::Ignored:
@@ -203,24 +203,24 @@ std::string TableRows::takeField(const Column &column, const line::CsvField &fie
   return field.isNumber && isFlag(field.value) ? "" : "0 or 1 is expected";
 }
 
-std::string TableRows::takeTime(const Column &column, const line::CsvField &field) {
+std::string TableRows::takeTime(const Column &column, const CsvField &field) {
   if (field.text == "-") {
     return {};
   }
   const double us = field.value * 1e6 / column.perSecond;
-  if (!field.isNumber || us < 0 || us > static_cast<double>(line::RecordingTimeMaxUs)) {
+  if (!field.isNumber || std::abs(us) > static_cast<double>(RecordingTimeMaxUs)) {
     return column.perSecond == 1 ? "a time in seconds is expected" : "a time in microseconds is expected";
   }
-  _row.us = static_cast<uint64_t>(std::llround(us));
+  _row.us = std::llround(us);
   return {};
 }
 
 uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
-                      std::deque<line::Character> &characters) {
-  using Kind = line::Stretch::Kind;
+                      std::deque<Character> &characters) {
+  using Kind = Stretch::Kind;
   const auto append = [&](Kind kind, uint64_t us) {
-    const std::vector<uint8_t> bytes = line::frameBytes(kind, row.values, row.values.end);
-    lastUs = line::appendBackToBack(line::charactersOf(bytes), us, lastUs, characterUs, characters);
+    const std::vector<uint8_t> bytes = frameBytes(kind, row.values, row.values.end);
+    lastUs = appendBackToBack(charactersOf(bytes), us, lastUs, characterUs, characters);
   };
   if (channels == sbus::ChannelCount24) {
     append(Kind::Frame24, endUs);
@@ -237,12 +237,16 @@ uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint
   return lastUs;
 }
 
-std::string TableReader::line(std::string_view text, std::deque<line::Character> &characters) {
+std::string TableReader::line(std::string_view text, std::deque<Character> &characters) {
   const std::string wrong = _rows.line(text);
   if (!wrong.empty() || !_rows.isRow()) {
     return wrong;
   }
-  const uint64_t endUs = _rows.row().us.value_or(_lastUs + PeriodUs);
+  const std::optional<int64_t> us = _rows.row().us;
+  if (!_any && us) {
+    begin(*us - static_cast<int64_t>(2 * sbus::FrameSize24 * _characterUs));  // a row may be two frames
+  }
+  const uint64_t endUs = us ? static_cast<uint64_t>(*us - zeroUs()) : _lastUs + PeriodUs;
   _lastUs = appendFrames(_rows.row(), _rows.channels(), endUs, _lastUs, _characterUs, characters);
   _overlaps.put(_any ? endUs : _lastUs, _lastUs);
   _any = true;
@@ -251,16 +255,16 @@ std::string TableReader::line(std::string_view text, std::deque<line::Character>
 
 FrameTable frameTable(std::string_view head) {
   TableRows rows;
-  std::optional<uint64_t> lastUs;
+  std::optional<int64_t> lastUs;
   int count = 0;
   while (head.find('\n') != std::string_view::npos) {
-    if (!rows.line(line::takeLine(head)).empty()) {
+    if (!rows.line(takeLine(head)).empty()) {
       return FrameTable::No;
     }
     if (!rows.isRow()) {
       continue;
     }
-    if (!rows.isWhole() || (count > 0 && lastUs && rows.row().us && *rows.row().us > *lastUs + FrameUsMost)) {
+    if (!rows.isWhole() || (count > 0 && lastUs && rows.row().us && *rows.row().us > *lastUs + static_cast<int64_t>(FrameUsMost))) {
       return FrameTable::No;
     }
     lastUs = rows.row().us;
@@ -271,37 +275,38 @@ FrameTable frameTable(std::string_view head) {
   return rows.isWhole() ? FrameTable::Maybe : FrameTable::No;
 }
 
-void assign(const std::string &word, const sbus::Range &range, FrameValues &values) {
+std::string assign(const std::string &word, const sbus::Range &range, FrameValues &values) {
   const size_t equals = word.find('=');
-  const std::string name = line::lower(word.substr(0, equals));
-  const std::string text = equals == std::string::npos ? "" : line::lower(word.substr(equals + 1));
+  const std::string name = lower(word.substr(0, equals));
+  const std::string text = equals == std::string::npos ? "" : lower(word.substr(equals + 1));
   double number = 0;
   const bool isChannel = name.rfind("ch", 0) == 0 && name.rfind("ch0", 0) != 0 && name.size() <= 4 &&
                          name.find_first_not_of("0123456789", 2) == std::string::npos &&
-                         line::parseNumber(name.substr(2), number) && number >= 1 && number <= sbus::ChannelCount;
+                         parseNumber(name.substr(2), number) && number >= 1 && number <= sbus::ChannelCount;
   const size_t channel = isChannel ? static_cast<size_t>(number) - 1 : 0;
   const bool isSwitch = !isChannel || channel >= SwitchesAt;
   if (equals == std::string::npos || (!isChannel && name != "failsafe" && name != "lostframe")) {
-    throw std::runtime_error(line::quoted(word) +
+    return quoted(word) + (
                              " sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do");
   }
   if (isSwitch) {
     if (text != "on" && text != "off" && text != "0" && text != "1") {
-      throw std::runtime_error(line::quoted(word) + " is out of range; on or off is expected");
+      return (quoted(word) + " is out of range; on or off is expected");
     }
     bool &flag = isChannel            ? values.switches[channel - SwitchesAt]
                  : name == "failsafe" ? values.failsafe
                                       : values.lostFrame;
     flag = text == "on" || text == "1";
-    return;
+    return {};
   }
   const std::optional<uint16_t> raw = text == "on" ? range.high : text == "off" ? range.low : parseValue(text, range);
   if (!raw) {
-    throw std::runtime_error(line::quoted(word) + " is out of range; " +
+    return (quoted(word) + " is out of range; " +
                              "0 to 2047, a pulse such as 1500us, a part such as -50%, on (" +
                              std::to_string(range.high) + ") or off (" + std::to_string(range.low) + ") is expected");
   }
   values.raw[channel] = *raw;
+  return {};
 }
 
-}  // namespace tool
+}  // namespace line

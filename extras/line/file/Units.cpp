@@ -1,4 +1,4 @@
-#include "cli/Units.h"
+#include "line/file/Units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "line/capture/Parsing.h"
 #include "sbus/Frame.h"
 
-namespace tool {
+namespace line {
 
 namespace {
 
@@ -52,7 +52,7 @@ std::string extentOf(Unit unit, const sbus::Range &range) {
     return "a whole number from 0 to 2047";
   }
   const double one = valueOf(0, unit, range), other = valueOf(sbus::ChannelMax, unit, range);
-  return line::format("a number from %.1f to %.1f", std::min(one, other), std::max(one, other));
+  return format("a number from %.1f to %.1f", std::min(one, other), std::max(one, other));
 }
 
 bool isRange(unsigned low, unsigned centre, unsigned high) {
@@ -69,8 +69,8 @@ std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &r
   const std::string number = text.substr(0, text.size() - (unit == Unit::Us ? 2 : unit == Unit::Percent ? 1 : 0));
   double value = 0;
   const bool isNumber = number.find_first_not_of("0123456789.-+") == std::string::npos &&
-                        number.find_first_of("0123456789") != std::string::npos && line::parseNumber(number, value);
+                        number.find_first_of("0123456789") != std::string::npos && parseNumber(number, value);
   return isNumber ? rawOf(value, unit, range) : std::nullopt;
 }
 
-}  // namespace tool
+}  // namespace line

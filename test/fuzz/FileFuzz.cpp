@@ -1,0 +1,36 @@
+// The reader of files on any bytes says what they are, and gives characters in order, or one clear error.
+#include <string>
+
+#include "fuzz/Require.h"
+#include "line/file/FileHead.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  const std::string bytes(data, data + size);
+  const line::FileHead head = line::readFileHead(bytes, "file");
+  require((head.kind == line::FileKind::Wrong) == !head.error.empty(), "a wrong file has an error, and only that");
+  require(head.zeroUs <= 0, "no file begins after its time 0");
+  const std::unique_ptr<line::LineReader> reader = line::makeReader(head);
+  require((reader == nullptr) == (head.kind == line::FileKind::Wrong || head.kind == line::FileKind::Capture),
+          "texts and bytes have a reader");
+  if (!reader) {
+    return 0;
+  }
+  std::deque<line::Character> characters;
+  std::string error;
+  for (std::string_view rest = reader->takesBytes() ? bytes : head.begin; !rest.empty() && error.empty();) {
+    const size_t end = reader->takesBytes() ? std::min<size_t>(rest.size(), 100) : rest.find('\n');
+    error = reader->line(rest.substr(0, end), characters);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + (reader->takesBytes() ? 0 : 1));
+  }
+  error = error.empty() ? reader->finish(characters) : error;
+  require(error.size() < 400, "errors are short");
+  require(!error.empty() || !characters.empty(), "without an error there are characters");
+  require(reader->zeroUs() <= 0, "times begin at 0 or before");
+  uint64_t lastUs = 0;
+  for (const line::Character &character : characters) {
+    require(character.endUs >= lastUs, "characters are in order");
+    lastUs = character.endUs;
+  }
+  return 0;
+}

@@ -1,0 +1,185 @@
+"""Bytes as people write them: each way is read as the four frames that it holds.
+
+dumps.py SBUS WORK [WAY]    prints "ok ..." or "FAILED ..." for each way. The tools named are run where they are installed.
+"""
+
+import json, os, shutil, subprocess, sys
+
+SBUS, WORK = sys.argv[1:3]
+ONLY = sys.argv[3] if len(sys.argv) > 3 else ""
+
+FRAMES = [bytes.fromhex(each) for each in (
+    "0F5B2469B59198445E7A15462622A61E6B5B5982A7882D0000", "0F770C68BEA598445E7A15462622A61E6B5B5982A7882D0000",
+    "0F883C69B9F398445E7A15462622A61E6B5B5982A7882D0000", "0F61146AB1B198445E7A15462622A61E6B5B5982A7882D0000")]
+ALL = b"".join(FRAMES)
+
+
+def lines(form, data=None):
+    """A line for each frame: form(bytes, number)."""
+    return "".join(form(each, i) + "\n" for i, each in enumerate(data or FRAMES))
+
+
+def numbers(form, between):
+    return lambda data, i=0: between.join(form % byte for byte in data)
+
+
+def rows(data, size, form):
+    return "".join(form(at, data[at:at + size]) + "\n" for at in range(0, len(data), size))
+
+
+def ascii(data):
+    return "".join(chr(byte) if 32 <= byte < 127 else "." for byte in data)
+
+
+UPPER, LOWER = numbers("%02X", " "), numbers("%02x", " ")
+MARKED, COMMAS = numbers("0x%02X", " "), numbers("0x%02x", ", ")
+DECIMAL = numbers("%d", ", ")
+ESCAPED = lambda data, i=0: "".join("\\x%02x" % byte for byte in data)
+
+WAYS = {
+    "two digits": lines(UPPER),
+    "small letters": lines(LOWER),
+    "all in one line": UPPER(ALL) + "\n",
+    "without a line end": UPPER(ALL),
+    "without blanks": lines(numbers("%02X", "")),
+    "all without blanks": numbers("%02x", "")(ALL) + "\n",
+    "16 a line": rows(ALL, 16, lambda at, row: UPPER(row)),
+    "one a line": rows(ALL, 1, lambda at, row: UPPER(row)),
+    "one digit where one is enough": lines(numbers("%X", " ")),
+    "0x": lines(MARKED),
+    "0x and commas": lines(COMMAS),
+    "0x and commas to the end of the line": lines(lambda data, i: COMMAS(data) + ","),
+    "0x without blanks": lines(numbers("0x%02X", ",")),
+    "0x with one digit": lines(numbers("0x%x", ", ")),
+    "commas": lines(numbers("%02X", ",")),
+    "semicolons": lines(numbers("%02X", ";")),
+    "hyphens": lines(numbers("%02X", "-")),
+    "colons": lines(numbers("%02x", ":")),
+    "underscores": lines(numbers("%02x", "_")),
+    "pipes": lines(numbers("%02x", "|")),
+    "dots": lines(numbers("%02x", ".")),
+    "tabs": lines(numbers("%02x", "\t")),
+    "h behind": lines(numbers("%02Xh", " ")),
+    "$ before": lines(numbers("$%02X", " ")),
+    "&H before": lines(numbers("&H%02X", " ")),
+    "% before": lines(numbers("%%%02X", "")),
+    "\\x before": lines(ESCAPED),
+    "\\x in quotation marks": lines(lambda data, i: '"' + ESCAPED(data) + '"'),
+    "in brackets": lines(numbers("[%02X]", " ")),
+    "in braces": lines(numbers("{%02X}", "")),
+    "in angles": lines(numbers("<%02X>", "")),
+    "in quotation marks": lines(lambda data, i: '"' + UPPER(data) + '"'),
+    "Python bytes": lines(lambda data, i: repr(data)),
+    "Python bytearray": lines(lambda data, i: repr(bytearray(data))),
+    "Python prompt": lines(lambda data, i: ">>> " + repr(data)),
+    "Python bytes, all": repr(ALL) + "\n",
+    "Python name": "frames = " + repr(ALL) + "\n",
+    "Python list": lines(lambda data, i: repr(list(data))),
+    "Python list of all": repr(list(ALL)) + "\n",
+    "Python tuple": lines(lambda data, i: repr(tuple(data))),
+    "Python bytes of a list": lines(lambda data, i: f"bytes({list(data)})"),
+    "Python bytearray of a list": lines(lambda data, i: f"bytearray({list(data)})"),
+    "Python list of hex()": lines(lambda data, i: repr([hex(byte) for byte in data])),
+    "Python fromhex": lines(lambda data, i: f"bytes.fromhex('{data.hex()}')"),
+    "Python hexlify": lines(lambda data, i: repr(data.hex().encode())),
+    "Python list over lines": "data = [\n" + rows(ALL, 12, lambda at, row: "    " + COMMAS(row) + ",") + "]\n",
+    "numpy": "[" + rows(ALL, 18, lambda at, row: " " + " ".join("%3d" % byte for byte in row))[1:-1] + "]\n",
+    "array": lines(lambda data, i: f"array('B', {list(data)})"),
+    "C array": lines(lambda data, i: f"uint8_t frame{i}[25] = {{{COMMAS(data)}}};"),
+    "C array over lines": "const unsigned char frames[] = {\n" + rows(ALL, 12, lambda at, row: "  " + COMMAS(row) + ",") + "};\n",
+    "C array with comments": "static const uint8_t f[100] PROGMEM = { // four frames\n" + lines(lambda data, i: f"  {COMMAS(data)},  // frame {i}") + "};\n",
+    "C array in decimal": lines(lambda data, i: f"byte frame[] = {{{DECIMAL(data)}}};"),
+    "C string": lines(lambda data, i: f'const char *frame = "{ESCAPED(data)}";'),
+    "xxd -i": "unsigned char a_bin[] = {\n" + rows(ALL, 12, lambda at, row: "  " + COMMAS(row) + ",") + "};\nunsigned int a_bin_len = 100;\n",
+    "Node": lines(lambda data, i: f"<Buffer {LOWER(data)}>"),
+    "Node, JSON": lines(lambda data, i: json.dumps({"type": "Buffer", "data": list(data)})),
+    "JavaScript": lines(lambda data, i: f"Uint8Array(25) [ {DECIMAL(data)} ]"),
+    "Go": lines(lambda data, i: "[]byte{" + ", ".join("0x%x" % byte for byte in data) + "}"),
+    "Go, decimal": lines(lambda data, i: "[" + " ".join("%d" % byte for byte in data) + "]"),
+    "Rust": lines(lambda data, i: "[" + ", ".join("%x" % byte for byte in data) + "]"),
+    "Java, signed": lines(lambda data, i: "[" + ", ".join("%d" % (byte - 256 if byte > 127 else byte) for byte in data) + "]"),
+    "decimal and commas": lines(numbers("%d", ",")),
+    "decimal and blanks": lines(numbers("%d", " ")),
+    "decimal, three digits": lines(numbers("%03d", " ")),
+    "decimal, padded": lines(numbers("%3d", " ")),
+    "decimal, all in one line": numbers("%d", " ")(ALL) + "\n",
+    "label": lines(lambda data, i: "RX: " + UPPER(data)),
+    "label without a blank": lines(lambda data, i: "RX:" + UPPER(data)),
+    "label without a colon": lines(lambda data, i: "SBUS " + UPPER(data)),
+    "label with a count": lines(lambda data, i: f"Received 25 bytes: {UPPER(data)}"),
+    "label of a frame": lines(lambda data, i: f"frame {i}: {COMMAS(data)}"),
+    "prompt": lines(lambda data, i: "> " + UPPER(data)),
+    "arrow": lines(lambda data, i: "<- " + UPPER(data)),
+    "Arduino's serial monitor": lines(lambda data, i: f"18:12:30.{i}45 -> {UPPER(data)}"),
+    "time": lines(lambda data, i: f"18:12:30 {UPPER(data)}"),
+    "time in brackets": lines(lambda data, i: f"[18:12:30.{i}45] {UPPER(data)}"),
+    "date and time": lines(lambda data, i: f"2021-05-11 18:12:30,{i}45 {UPPER(data)}"),
+    "date and time of ISO 8601": lines(lambda data, i: f"2021-05-11T18:12:30.{i}45Z {UPPER(data)}"),
+    "date, time and direction (Docklight)": lines(lambda data, i: f"11.05.2021 18:12:30.{i}45 [RX] - {UPPER(data)}"),
+    "seconds": lines(lambda data, i: f"12.34{i} {UPPER(data)}"),
+    "kernel's seconds": lines(lambda data, i: f"[   12.34{i}567] {UPPER(data)}"),
+    "ms and a colon": lines(lambda data, i: f"{1000 + 9 * i}: {UPPER(data)}"),
+    "ESP-IDF": lines(lambda data, i: f"I (1234{i}) sbus: {LOWER(data)}"),
+    "ESP-IDF, coloured": lines(lambda data, i: f"\x1b[0;32mI (1234{i}) sbus: {LOWER(data)}\x1b[0m"),
+    "ESP-IDF, hexdump": rows(ALL, 16, lambda at, row: f"I (12345) sbus: 0x{0x3ffb5000 + at:08x}   {LOWER(row):<48} |{ascii(row)}|"),
+    "Zephyr": lines(lambda data, i: f"[00:00:01.23{i},567] <inf> sbus: {LOWER(data)}"),
+    "Zephyr, hexdump": "[00:00:01.234,567] <inf> sbus: data\n" + rows(ALL, 16, lambda at, row: " " * 31 + f"{LOWER(row[:8])}  {LOWER(row[8:]):<23} |{ascii(row[:8])} {ascii(row[8:])}|"),
+    "numbered": lines(lambda data, i: f"{i + 1}) {UPPER(data)}"),
+    "Wireshark": rows(ALL, 16, lambda at, row: f"{at:04x}  {LOWER(row[:8])}  {LOWER(row[8:])}   {ascii(row)}"),
+    "offsets of four digits": rows(ALL, 16, lambda at, row: f"{at:04x}: {LOWER(row)}"),
+    "offsets of four digits from 1000 on": rows(ALL, 16, lambda at, row: f"{0x1000 + at:04x}: {LOWER(row)}"),
+    "offsets with a colon within": rows(ALL, 16, lambda at, row: f"{at >> 8:02x}:{at & 255:02x}: {LOWER(row)}"),
+    "gdb": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x}:\t" + "\t".join("0x%02x" % byte for byte in row)),
+    "gdb with a name": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x} <frames+{at}>:\t" + "\t".join("0x%02x" % byte for byte in row)),
+    "frames and CR LF": lines(lambda data, i: UPPER(data + b"\r\n")),
+    "frames and zeros, as ArduPilot prints RCDA": lines(lambda data, i: COMMAS(data + bytes(15))),
+    "frames and AA 55": lines(lambda data, i: UPPER(data + b"\xAA\x55")),
+    "frames and zeros in decimal": lines(lambda data, i: DECIMAL(data + bytes(7))),
+    "sbus explain's bits": "".join(f"{byte:08b} " for byte in ALL) + "\n" if False else lines(numbers("0x%02X", "\t")),
+}
+
+# What tools print, by the tools. {} is the file.
+TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -e {}", "xxd -u {}", "xxd -b {}", "xxd -p {}", "xxd -ps -c 25 {}",
+         "xxd -i {}", "hexdump -C {}", "hexdump {}", "hexdump -x {}", "hexdump -b {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
+         "od {}", "od -x {}", "od -t x1 {}", "od -A x -t x1 {}", "od -A d -t x1 {}", "od -A n -t x1 {}", "od -A x -t x1z {}", "od -b {}",
+         "od -t u1 {}", "od -t d1 {}", "od -t x4 {}", "od -c {}", "od -An -v -tx1 -w25 {}"]
+
+
+def frames_of(text, how):
+    with open(f"{WORK}/ways.txt", "w", encoding="latin-1", newline="") as file:
+        file.write(text)
+    out = subprocess.run([SBUS, *how, "ways.txt", "--json"], cwd=WORK, capture_output=True, text=True)
+    read = [json.loads(line) for line in out.stdout.splitlines()]
+    return [each["channels"] for each in read if each["type"] == "frame"], out.stderr.strip()
+
+
+def channels(raw):
+    bits = int.from_bytes(raw[1:23], "little")
+    return [bits >> 11 * i & 2047 for i in range(16)]
+
+
+def main():
+    ways = dict(WAYS)
+    for name, data in ("frames", ALL), ("a frame thrice", FRAMES[0] * 13), ("frame.bin", FRAMES[0]):
+        with open(f"{WORK}/a.bin", "wb") as file:
+            file.write(data)
+        for tool in TOOLS:
+            if shutil.which(tool.split()[0]):
+                ways[f"{tool.format('FILE')} of {name}"] = subprocess.run(tool.format("a.bin"), shell=True, cwd=WORK, capture_output=True, text=True, encoding="latin-1").stdout
+    good = 0
+    tried = 0
+    for name, text in ways.items():
+        if ONLY not in name:
+            continue
+        wanted = [channels(each) for each in FRAMES]
+        wanted = wanted[:1] * 13 if "thrice" in name else wanted[:1] if "frame.bin" in name else wanted
+        got, err = frames_of(text, ["hex"])
+        tried += 1
+        good += got == wanted
+        if got != wanted:
+            print(f"  {len(got)} of {len(wanted)} frames, {sum(each in wanted for each in got)} right: {err[:200]}\n  " + text[:120].replace("\n", "\n  "))
+        print(f"{'ok' if got == wanted else 'FAILED'} sbus: bytes are read as {name}")
+    print(f"dumps: {good} of {tried} ways")
+
+
+main()
