@@ -119,6 +119,7 @@ LAYOUTS = {
     "Micsig": lambda capture: "ProID,Info,,time,Vol.\n" + "".join(f"{'STO1104' if i == 0 else ''},{'x' if i == 0 else ''},,{us / 1e6:.9f},{volts:.4f}\n" for i, (us, volts) in enumerate(capture.volts())),
     "Keysight, first rows empty": lambda capture: "x-axis,1,2\nsecond,Volt,Volt\n" + "".join(
         f"{us / 1e6:+.6E},{f'{volts:+.3E}' if i > 50 else ''},{'+1.0E-02' if i > 50 else ''}\n" for i, (us, volts) in enumerate(capture.volts())),
+    "Keysight, last row empty": table("x-axis,1\nsecond,Volt\n", "{s:+.6E},{v:+.3E}\n", "+9.000000E+00,\n"),
     "Hantek": table("Time,CH1\n,#timebase=5000000(ns)\n", "{s:.9f},{v:.4f}\n"),
     "times as text and decimal commas": lambda capture: table("Time (s);CH1 (V)\n", "{s:.7f};{v:.4f}\n")(capture).replace(".", ","),
 }

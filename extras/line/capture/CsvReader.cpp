@@ -157,25 +157,28 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
   const char *at = row.data();
   const char *end = at + row.size();
   size_t column = 0;
-  bool any = false;  // a row without a sample is cut, or none
+  bool any = false, isCut = false;  // a row that ends before its first sample is cut, or none
+  const auto skipField = [&] {
+    at = std::find(at, end, _layout.separator);
+    isCut = at == end;
+    at += at < end;
+  };
   for (size_t i = 0; i < _signals.size(); i++, column++) {
     for (; column < _layout.columns[i]; column++) {
-      at = std::find(at, end, _layout.separator);
-      at += at < end;
+      skipField();
     }
     while (at < end && *at == ' ') {
       at++;
     }
     double volts = NAN;
-    const bool isEmpty = (at == end || *at == _layout.separator) && (any || i + 1 < _signals.size());
+    const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
     any = any || !isEmpty;
     if (!isEmpty && !takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
       return quoted(word) + " is not a voltage: a number is expected in column " + std::to_string(column + 1);
     }
     _signals[i].volts.push_back(volts);
-    at = std::find(at, end, _layout.separator);
-    at += at < end;
+    skipField();
   }
   _rows.push_back(row);
   return {};
