@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "line/HeldLink.h"
 #include "line/Segments.h"
+#include "line/SmoothedLink.h"
 #include "sbus/Diagnosis.h"
 #include "sbus/Link.h"
 
@@ -56,7 +56,7 @@ class Arrivals {
 
  private:
   sbus::Link _link;
-  HeldLink _held;
+  SmoothedLink _held;
   uint64_t _newestUs = 0;
   uint64_t _askedUs = 0;  // the latest time passed to state()
   Extent _gaps;

@@ -9,8 +9,8 @@
 
 #include "cli/DecodeOutput.h"
 #include "cli/FileSource.h"
-#include "cli/HeldSlots.h"
 #include "cli/Output.h"
+#include "cli/PendingSlots.h"
 #include "cli/Pipe.h"
 #include "cli/TextLine.h"
 #include "cli/options/ChannelFormOption.h"
@@ -89,7 +89,7 @@ class Frames {
   const Put _record;
   line::RecordingWriter _writer;
   line::Observer _observer;
-  HeldSlots _held{_observer, [this](const line::Stretch &stretch) { take(stretch); }};
+  PendingSlots _held{_observer, [this](const line::Stretch &stretch) { take(stretch); }};
   std::deque<line::WireCharacter> _waiting;  // not in a stretch yet
   line::CaptureTimes _times;
 };

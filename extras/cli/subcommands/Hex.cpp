@@ -8,9 +8,9 @@
 #include <sstream>
 #include <vector>
 
-#include "cli/HeldSlots.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
+#include "cli/PendingSlots.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/ChannelFormOption.h"
 #include "cli/options/SourceOption.h"
@@ -233,7 +233,7 @@ void run(const SourceOption &source, const HexOptions &options, const ChannelFor
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   HexView view(observer, options, source);
-  HeldSlots held(observer, [&](const line::Stretch &stretch) {
+  PendingSlots held(observer, [&](const line::Stretch &stretch) {
     options.json ? writeJson(stretch, observer.newest(), source, form) : view.show(stretch);
   });
   observer.listen([&held](const line::Stretch &stretch) { held.take(stretch); });

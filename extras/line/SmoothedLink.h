@@ -9,7 +9,7 @@
 
 namespace line {
 
-class HeldLink {
+class SmoothedLink {
  public:
   static constexpr uint64_t HoldUs = 200000;  // how long a lost frame or a failsafe is shown
 

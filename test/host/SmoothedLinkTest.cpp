@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "impairment/Settings.h"
-#include "line/HeldLink.h"
+#include "line/SmoothedLink.h"
 #include "line/simulation/Random.h"
 #include "sbus/Frame.h"
 
@@ -17,7 +17,7 @@ constexpr uint64_t FrameUs = 9000;
 // Frames every 9 ms, looked at every millisecond.
 struct Line {
   sbus::Link link;
-  line::HeldLink held;
+  line::SmoothedLink held;
   uint64_t us = 0;
   std::vector<LinkState> states;  // as they change
   unsigned lit = 0;               // ms for which the indicator of lost frames shows
@@ -65,7 +65,7 @@ TEST_CASE("a single lost frame lights its indicator for 0.2 s, and does not chan
 }
 
 TEST_CASE("a lost frame that a port brought late is shown from when it came") {
-  line::HeldLink held;
+  line::SmoothedLink held;
   held.frame(100000, sbus::FlagLostFrame, LinkState::Lossy, 900000);
   CHECK(held.showsLostFrame(2000000));  // as long as no other comes
   held.frame(109000, 0, LinkState::Ok, 900000);

@@ -10,11 +10,11 @@
 
 namespace tool {
 
-class HeldSlots {
+class PendingSlots {
  public:
   using Say = std::function<void(const line::Stretch &)>;
 
-  HeldSlots(const line::Observer &observer, Say say) : _observer(observer), _say(std::move(say)) {}
+  PendingSlots(const line::Observer &observer, Say say) : _observer(observer), _say(std::move(say)) {}
 
   // Takes the next stretch from the observer's listener.
   void take(const line::Stretch &stretch) {

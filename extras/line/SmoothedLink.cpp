@@ -1,4 +1,4 @@
-#include "line/HeldLink.h"
+#include "line/SmoothedLink.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ constexpr size_t FramesMin = 30;  // so that a line's first lost frame does not 
 
 }  // namespace
 
-void HeldLink::frame(uint64_t us, uint8_t flags, sbus::LinkState link, uint64_t knownUs) {
+void SmoothedLink::frame(uint64_t us, uint8_t flags, sbus::LinkState link, uint64_t knownUs) {
   const bool lost = (flags & sbus::FlagLostFrame) != 0;
   const bool counts = lost && (flags & sbus::FlagFailsafe) == 0;  // after a failsafe the link is good at once
   _second.push_back({us, counts});
@@ -35,14 +35,14 @@ void HeldLink::frame(uint64_t us, uint8_t flags, sbus::LinkState link, uint64_t 
   _failsafeUntilUs = _newestFailsafe ? untilUs : _failsafeUntilUs;
 }
 
-sbus::LinkState HeldLink::state(sbus::LinkState link, uint64_t nowUs) const {
+sbus::LinkState SmoothedLink::state(sbus::LinkState link, uint64_t nowUs) const {
   if (link != sbus::LinkState::Ok && link != sbus::LinkState::Lossy) {
     return link;
   }
   return showsFailsafe(nowUs) ? sbus::LinkState::Failsafe : _isLossy ? sbus::LinkState::Lossy : sbus::LinkState::Ok;
 }
 
-unsigned HeldLink::perSecond(uint64_t nowUs) const {
+unsigned SmoothedLink::perSecond(uint64_t nowUs) const {
   return static_cast<unsigned>(std::count_if(_second.begin(), _second.end(), [nowUs](const Arrival &came) {
     return came.us + SecondUs > nowUs && came.us <= nowUs;
   }));
