@@ -6,6 +6,7 @@
 #include <Arduino.h>
 #include <limits.h>
 
+#include "SBusPort.h"
 #include "port/Clock.h"
 #include "port/Listener.h"
 #include "port/Polling.h"
@@ -17,20 +18,6 @@
 namespace sbus {
 
 class LinkQuality;
-
-/// Returns true if begin() opens this port inverted; otherwise the line needs an inverter, or the sketch that opens the
-/// port inverts it.
-template <typename Port>
-constexpr bool inverts(Port &) {
-  return KindOf<Port>::Inverts;
-}
-
-/// Returns true if begin() can open this port inverted and uninverted, any number of times: on an ESP32 or ESP8266 on
-/// the pins given to DecodeSBus's constructor, or on the core's.
-template <typename Port>
-constexpr bool opensBothWays(Port &) {
-  return KindOf<Port>::BothWays;
-}
 
 }  // namespace sbus
 
@@ -229,7 +216,8 @@ class DecodeSBusOf : protected Polling {
  protected:
   /// @cond  For the classes of this library.
 
-  // Keeps other contexts from polling: each public method has one. The methods below have none.
+  // Keeps other contexts from polling: each public method has one that reads or writes what a poll writes. begin(),
+  // listen() and end() must not: they stop and start the polling. The methods below have none.
   using Lock = typename Polling::Lock;
 
   bool isOk() {

@@ -4,7 +4,7 @@
 
 #include <Arduino.h>
 
-#include "port/Port.h"
+#include "SBusPort.h"
 #include "sbus/FrameValue.h"
 
 /// Sends to one serial port. A sketch needs two calls:

@@ -118,7 +118,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
   void parseSBusFrame();
 
   /// See DecodeSBusOf.
-  bool read(SBusFrame &frame) {
+  bool read(Frame &frame) {
     parseSBusFrame();
     const Lock lock(*this);
     return fill(frame);

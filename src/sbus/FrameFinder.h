@@ -165,10 +165,7 @@ class FrameFinderOf : private Events {
   }
 
   /// Drops the incoming frame, because the port has lost bytes after the last one received. Counts an overflow.
-  void broken() {
-    lost(_counters.overflows);
-  }
-
+  void broken() { lost(_counters.overflows); }
 
   /// Returns the receiver of the events.
   Events &events() { return *this; }
