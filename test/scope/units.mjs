@@ -111,11 +111,11 @@ function faulty(count, faults) {
     const silent = i > 0 && random() < 0.002;
     const fromUs = us;
     us += silent ? 150000 + Math.floor(random() * 3e6) : 10000;
-    const flags = random() < 0.002 ? 12 : random() < 0.002 ? 4 : random() < 0.5 ? before.flags : 0;
+    const flags = random() < 0.002 ? 12 : random() < 0.002 ? 4 : random() < 0.002 ? 32 : random() < 0.5 ? before.flags : 0;
     const damagedUs = i > 0 && random() < 0.003 ? fromUs + 3000 : 0;
     if (damagedUs) span(Fault.Damage, damagedUs, us);
     if (silent) span(Fault.NoFrames, fromUs, us);
-    for (const [fault, on, was] of [[Fault.Failsafe, flags & 8, before.flags & 8], [Fault.LostFrame, flags === 4, before.flags === 4]]) {
+    for (const [fault, on, was] of [[Fault.Failsafe, flags & 8, before.flags & 8], [Fault.NoPulses, flags & 32, before.flags & 32], [Fault.LostFrame, flags === 4, before.flags === 4]]) {
       if (was && !silent) span(fault, fromUs, us, true);
       else if (on) span(fault, us, us);
     }
@@ -130,7 +130,7 @@ check('the next fault after any time, and the one before, are those in a list of
   const faults = new FaultIndex(2e9);
   const spans = faulty(100000, faults);
   assert.ok(spans.length > 300, `${spans.length}`);
-  assert.deepEqual(faults.counts(), [0, 1, 2, 3, 4].map((fault) => spans.filter((span) => span.fault === fault).length));
+  assert.deepEqual(faults.counts(), [0, 1, 2, 3, 4, 5].map((fault) => spans.filter((span) => span.fault === fault).length));
   for (let i = 0; i < 3000; i++) {
     const fromUs = Math.floor(random() * 1.3e9);
     const next = spans.findIndex((span) => span.fromUs > fromUs);
@@ -150,7 +150,7 @@ check('if there are more faults than room, neighbours become one, and each still
   const faults = new FaultIndex(3e6 * count);
   for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, lateUs: 0, damagedUs: 0 });
   faults.finish(3e6 * count);
-  const [, lost] = faults.counts();
+  const lost = faults.counts()[Fault.LostFrame];
   assert.ok(lost > 0 && lost <= mostSpans, `${lost}`);
   let found = faults.after({ fromUs: -1 });
   for (let number = 1; found; number++, found = faults.after(found)) {
@@ -169,7 +169,7 @@ check('a sketch that prints once a second is not silent; three missing rows are 
   }
   faults.finish(99e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 49e6, toUs: 54e6, number: 1 });
-  assert.deepEqual(faults.counts(), [0, 0, 0, 1, 0]);
+  assert.deepEqual(faults.counts(), [0, 0, 0, 0, 1, 0]);
 });
 
 check('bytes without any frame are the fault "no frames", from the first to the last', () => {

@@ -154,7 +154,7 @@ TEST_CASE("400 packets of each protocol are named, wherever they are joined; the
       const Bytes packet = row.packet(sticks, i);
       bytes.insert(bytes.end(), packet.begin(), packet.end());
     }
-    for (const size_t from : {0, 1, 7, 30}) {
+    for (const size_t from : {size_t{0}, size_t{1}, size_t{7}, size_t{30}}) {
       CAPTURE(from);
       CHECK(foundIn({bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end()}) == row.finding);
     }
