@@ -12,13 +12,15 @@ namespace line {
 namespace {
 
 // Returns true for a text of only 0, 1, blanks and comments. Some line must have several bits: otherwise it may be a
-// column of samples.
+// column of samples. A tab before two digits is a recording's: a time, then bytes.
 bool isBits(std::string_view head) {
   bool any = false;
   while (!head.empty()) {
     std::string_view line = takeLine(head);
     line = trimmed(line.substr(0, line.find('#')));
-    if (line.find_first_not_of("01 \t") != std::string_view::npos) {
+    const size_t tab = line.find('\t');
+    const bool isTime = tab != std::string_view::npos && line.substr(tab + 1).find_first_of(" \t") == 2;
+    if (isTime || line.find_first_not_of("01 \t") != std::string_view::npos) {
       return false;
     }
     any = any || line.size() > 1;
