@@ -284,6 +284,5 @@ sim|B is required
 sim.txt bytes.txt|sbus compare: bytes.txt: has no times; a port, a recording or a capture is expected
 sim.txt no-such.txt|sbus compare: no-such.txt: cannot be opened (No such file or directory); the name of a recording is expected
 two.vcd two.vcd --signal-b OTHER|sbus compare: two.vcd: there is no signal OTHER: one of WIRE, PORT is expected
-sim.txt sim.txt --signal-b PORT|sbus compare: --signal: is for a capture of several signals; leave it out for sim.txt
 sim.txt c.json|sbus compare: sim.txt and c.json have no frame in common
 END
