@@ -182,7 +182,7 @@ def passes(first, count, seconds):
     return True
 while not passes(0, 1, 0.02):  # until it is in sync
     pass
-got = b""
+got = got[len(got) // 25 * 25:]  # a read may end within a frame
 for i in range(1, 101, at_once):
     time.sleep(0.009)
     passes(i, at_once, 3)
@@ -199,8 +199,8 @@ set -- $got
 verdict $? "frames from a port are forwarded: $(grep '^last byte' "$work/err")"
 got=$(wire 4)
 set -- $got
-[ "$1" -ge 40 ] && [ "$1" -le 60 ] && [ "$2" = True ] && grep -qE '[0-9]+ frames sent, [1-9][0-9]* replaced by newer ones before their turn$' "$work/err" || { echo "$got"; cat "$work/err"; false; }
-verdict $? "of frames that an adapter delivers at once, two are sent, each after a gap: $1 of 100"
+[ "$1" -ge 25 ] && [ "$1" -le 60 ] && [ "$2" = True ] && grep -qE '[0-9]+ frames sent, [1-9][0-9]* replaced by newer ones before their turn$' "$work/err" || { echo "$got"; cat "$work/err"; false; }
+verdict $? "of four frames that an adapter delivers at once, two are sent, on a busy PC the newest: $1 of 100"
 
 # The program is stopped for 1.5 s while frames come; then the line is silent.
 got=$(python3 - "$SBUS" <<'END' 2>"$work/err"
