@@ -152,8 +152,7 @@ class DecodeSBusOf : protected Polling {
   /// Before the first frame, and once the newest is as old as the timeout, both are true and `channels` is unchanged.
   void decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame) {
     const Lock lock(*this);
-    uint32_t age;
-    decode(state(age), channels, failsafe, lostFrame);
+    decode(state(), channels, failsafe, lostFrame);
   }
 
   /// Returns true if decodeSBusFrame() and read() have not yet handed out the newest frame; false before the first
@@ -176,8 +175,7 @@ class DecodeSBusOf : protected Polling {
   /// sleeps").
   sbus::LinkState linkState() {
     const Lock lock(*this);
-    uint32_t age;
-    return state(age);
+    return state();
   }
 
   /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never
@@ -220,14 +218,21 @@ class DecodeSBusOf : protected Polling {
   // listen() and end() must not: they stop and start the polling. The methods below have none.
   using Lock = typename Polling::Lock;
 
-  bool isOk() {
-    uint32_t age;
-    return sbus::isYoung(state(age));
-  }
+  bool isOk() { return sbus::isYoung(state()); }
 
   unsigned long ageInMs() {
     uint32_t age;
-    return state(age) == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+    const sbus::LinkState now = state(age);
+    return inMs(now, age);
+  }
+
+  static unsigned long inMs(sbus::LinkState state, uint32_t age) {
+    return state == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+  }
+
+  sbus::LinkState state() {
+    uint32_t age;
+    return state(age);
   }
 
   // Returns the state of the link, and the age of the newest frame, us. If a frame comes meanwhile, they belong to
@@ -254,7 +259,7 @@ class DecodeSBusOf : protected Polling {
     const uint32_t before = _decoded;
     uint32_t age;
     const sbus::LinkState now = state(age);
-    frame.age = now == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+    frame.age = inMs(now, age);
     decode(now, frame.channels, frame.failsafe, frame.lostFrame);
     return _decoded != before;
   }
@@ -282,10 +287,8 @@ class DecodeSBusOf : protected Polling {
   void start(unsigned long baud) {
     reset(baud);
     startCallbacks(&DecodeSBusOf::onReceive, this);
-    this->startPolling(pollThis);
+    this->startPolling(*this);
   }
-
-  static bool pollThis(Polling &self) { return Polling::poll(static_cast<DecodeSBusOf &>(self)); }
 
   void reset(unsigned long baud) {
     const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;

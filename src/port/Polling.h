@@ -16,14 +16,9 @@ struct PolledByLoop {
   template <typename Port>
   static void check() {}
 
-  template <typename Poll>
-  static void startPolling(Poll *) {}
-  static void stopPolling() {}
-
   template <typename Decoder>
-  static bool poll(Decoder &) {
-    return true;
-  }
+  static void startPolling(Decoder &) {}
+  static void stopPolling() {}
 };
 
 }  // namespace sbus

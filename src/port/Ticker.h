@@ -121,14 +121,21 @@ class PolledByTimer {
                   "An interrupt cannot read this port. Use DecodeSBus: extras/docs/interrupts.md");
   }
 
-  // From now on `callback` is called each millisecond, if a timer is free. Call stopPolling() first.
+  // From now on `decoder`, this object, is polled each millisecond, if a timer is free. Call stopPolling() first.
+  template <typename Decoder>
+  void startPolling(Decoder &) {
+    startPolling(poll<Decoder>);
+  }
+  // Likewise; `callback` polls.
   void startPolling(Poll *callback);
   // Stops these calls.
   void stopPolling();
 
+ private:
   // Returns false if the port could not be read: tickAll() is to be called again soon.
   template <typename Decoder>
-  static bool poll(Decoder &decoder) {
+  static bool poll(PolledByTimer &self) {
+    Decoder &decoder = static_cast<Decoder &>(self);
     if (!Ticker::canRead(decoder._port)) {
       return false;
     }
@@ -136,7 +143,6 @@ class PolledByTimer {
     return true;
   }
 
- private:
   static PolledByTimer *first;
 
   PolledByTimer *_next = nullptr;
