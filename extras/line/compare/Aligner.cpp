@@ -133,8 +133,11 @@ void Aligner::finish() {
 
 // The delay was found early: what came since then may repeat itself, or tell another one.
 void Aligner::checkDelay() {
+  if (_by == DelayBy::Times) {
+    return;
+  }
   const DelaySearch::Result result = (_by == DelayBy::Contents ? _changes : _losses).search({Ended, Ended});
-  if (_by == DelayBy::Times || !result.best.isLikely()) {
+  if (!result.best.isLikely()) {
     return;
   }
   const bool isConfirmed = std::abs(static_cast<double>(result.best.delayUs) - _delayUs) < WindowUs;
@@ -213,25 +216,25 @@ bool Aligner::findDelay(bool isEnd) {
 // Takes the delay at which most changes of the contents agree; until the last try, only if it is final.
 bool Aligner::searchContents(bool isLast) {
   const DelaySearch::Result result = _changes.search(knownUs());
-  if (!(isLast ? result.best.isLikely() : result.isFinal())) {
-    return false;
+  const bool isFound = isLast ? result.best.isLikely() : result.isFinal();
+  if (isFound) {
+    take(DelayBy::Contents, result);
   }
-  _by = DelayBy::Contents;
-  _searched = result;
-  _delayUs = static_cast<double>(result.best.delayUs);
-  return true;
+  return isFound;
 }
 
-// Does the same with gaps and flags: the wire and a port share them, two receivers do not.
-bool Aligner::searchLosses() {
+// Does the same with gaps and flags, if they are certain: the wire and a port share them, two receivers do not.
+void Aligner::searchLosses() {
   const DelaySearch::Result result = _losses.search(knownUs());
-  if (!result.isCertain()) {
-    return false;
+  if (result.isCertain()) {
+    take(DelayBy::Losses, result);
   }
-  _by = DelayBy::Losses;
+}
+
+void Aligner::take(DelayBy by, const DelaySearch::Result &result) {
+  _by = by;
   _searched = result;
   _delayUs = static_cast<double>(result.best.delayUs);
-  return true;
 }
 
 // Frames that were all alike have told nothing of the delay, and the clocks were assumed to agree. Once a change tells

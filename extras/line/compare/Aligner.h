@@ -94,7 +94,8 @@ class Aligner {
   bool findDelay(bool isEnd);
   void noteLosses(size_t side, int64_t us, const Values &values);
   bool searchContents(bool isLast);
-  bool searchLosses();
+  void searchLosses();
+  void take(DelayBy by, const DelaySearch::Result &result);
   void checkDelay();
   std::array<int64_t, 2> knownUs() const { return {_sides[0].knownUs, _sides[1].knownUs}; }
   void findDelayAgain(bool isEnd);
