@@ -30,7 +30,7 @@ struct Input {
 };
 
 Input parse(const std::string &text) {
-  line::ByteText::Bytes bytes;
+  line::TextBytes bytes;
   const std::string wrong = parseHex(text, bytes);
   line::ByteText reader(text, true);
   if (!wrong.empty() && reader.hasFrames()) {  // as other people write them
@@ -38,7 +38,7 @@ Input parse(const std::string &text) {
     reader.line(text, bytes);
   }
   Input input;
-  for (const line::ByteText::Byte &byte : bytes) {
+  for (const line::TextByte &byte : bytes) {
     input.bytes.push_back(byte.value);
     if (byte.bad) {
       input.problems.push_back(line::format("byte %zu: %02X is marked with !, a parity or framing error",

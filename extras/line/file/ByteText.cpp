@@ -1,13 +1,14 @@
 #include "line/file/ByteText.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "line/recording/Words.h"
 #include "sbus/Frame.h"
 
 namespace line {
+
+using namespace words;
 
 namespace {
 
@@ -17,205 +18,6 @@ constexpr uint64_t RepeatedMost = 1 << 20;  // bytes, by the * of a dump
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
-
-bool isOneOf(char c, const char *set) {
-  return c != '\0' && std::strchr(set, c) != nullptr;
-}
-
-bool isSeparator(char c) {
-  return isOneOf(c, " \t\r,;:|{}[]()<>'\"`/+-_.=%");
-}
-
-bool isHexDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
-
-bool areAll(std::string_view text, bool (*is)(char)) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), is);
-}
-
-// Takes 0x, \x, $, &H or h off a hexadecimal number. Returns true if there was one.
-bool takeMark(std::string_view &word) {
-  for (const std::string_view mark : {"0x", "0X", "\\x", "&H", "$"}) {
-    if (word.size() > mark.size() && word.substr(0, mark.size()) == mark) {
-      word.remove_prefix(mark.size());
-      return true;
-    }
-  }
-  const bool hasEnd = word.size() == 3 && (word.back() == 'h' || word.back() == 'H');
-  word.remove_suffix(hasEnd ? 1 : 0);
-  return hasEnd;
-}
-
-// Takes ! off a byte with an error.
-bool takeBad(std::string_view &word) {
-  const bool isBad = word.size() > 1 && word.back() == '!';
-  word.remove_suffix(isBad ? 1 : 0);
-  return isBad;
-}
-
-// Returns true if bytes may be written like this, in some base.
-bool isNumber(std::string_view word) {
-  takeBad(word);
-  takeMark(word);
-  return areAll(word, isHexDigit) && (word.size() < 4 || word.size() % 2 == 0);
-}
-
-// Calls take(word, column) for each word between separators. Returns false once `take` does. \x begins a word.
-template <typename Take>
-bool forEachWord(std::string_view text, const Take &take) {
-  for (size_t at = 0; at < text.size();) {
-    const size_t begin = at;
-    while (at < text.size() && !isSeparator(text[at]) && (at == begin || (text[at] != '\\' && text[at - 1] != '!'))) {
-      at++;
-    }
-    if (at > begin && !take(text.substr(begin, at - begin), begin)) {
-      return false;
-    }
-    at += at < text.size() && isSeparator(text[at]);
-  }
-  return true;
-}
-
-size_t countWords(std::string_view text) {
-  size_t count = 0;
-  forEachWord(text, [&count](std::string_view, size_t) { return ++count > 0; });
-  return count;
-}
-
-bool areNumbers(std::string_view text) {
-  return forEachWord(text, [](std::string_view word, size_t) { return isNumber(word); });
-}
-
-// Returns the number of bytes that a word of a dump stands for. Words of six octal digits are two.
-size_t sizeOf(std::string_view word, std::string_view first) {
-  takeMark(word);
-  takeMark(first);
-  const bool isBinary = word.size() == 8 && word.find_first_not_of("01") == std::string_view::npos;
-  const bool hasWords = first.size() >= 4 && !isBinary;
-  return hasWords && first.size() == 6 ? 2 : hasWords ? word.size() / 2 : 1;
-}
-
-// Returns true for a word that precedes bytes: a time such as 12:34:56.789, a date, "1)", a prompt, a name.
-bool isPrefix(std::string_view word) {
-  const auto count = [word](char c) { return std::count(word.begin(), word.end(), c); };
-  word = withoutBlanks(withoutBlanks(word, '['), ']');
-  const size_t first = word.find_first_of(":.-/");
-  const bool isTime = count(':') == 2 && first <= 2 && word.size() >= 7;
-  const bool isDate = word.size() == 10 && (count('-') == 2 || count('.') == 2 || count('/') == 2);
-  const bool isSeconds = count('.') == 1 && first > 0 && first + 1 < word.size() && isDigit(word.back());
-  const bool isItem = !word.empty() && isOneOf(word.back(), ")>.") && word.find_first_of("(<") == std::string_view::npos;
-  return isTime || isDate || isSeconds || isItem || countWords(word) == 0 || !areNumbers(word);
-}
-
-// Returns the text from where a list begins: after a bracket that two numbers or more follow, or all of it.
-std::string_view listOf(std::string_view text) {
-  for (size_t at = text.find_first_of("[({<"); at != std::string_view::npos; at = text.find_first_of("[({<", at + 1)) {
-    const std::string_view rest = text.substr(at + 1);
-    std::string_view list = withoutBlanks(rest.substr(0, rest.find_first_of("[]{}()<>")));
-    const std::string_view begin = list;
-    for (std::string_view next = list; !takeWord(next).empty() && isPrefix(list.substr(0, list.find(' ')));) {
-      list = next;  // <Buffer 0f ...>
-    }
-    if (begin.find_first_of(":.") == std::string_view::npos && list.find_first_of(", ") != std::string_view::npos &&
-        countWords(list) > 1 && areNumbers(list)) {
-      return list;
-    }
-  }
-  return {};
-}
-
-// Returns the text without blanks around it and without colours.
-std::string_view plain(std::string_view text) {
-  text = withoutBlanks(text);
-  if (text.substr(0, 2) == "\x1b[" && text.find('m') != std::string_view::npos) {
-    text.remove_prefix(text.find('m') + 1);
-  }
-  return withoutBlanks(text.substr(0, text.find('\x1b')));
-}
-
-// Takes a label, "RX: ", off the text: what precedes a colon and a blank, and is no number.
-std::string_view withoutLabel(std::string_view text) {
-  const size_t colon = std::min(text.find(": "), text.find(":\t"));
-  return colon == std::string_view::npos || areNumbers(text.substr(0, colon)) ? text
-                                                                              : withoutBlanks(text.substr(colon + 1));
-}
-
-// Takes a number with one digit, or bytes of two digits. Returns false for other words.
-bool takeHex(std::string_view word, bool isBad, ByteText::Bytes &bytes) {
-  takeMark(word);
-  for (size_t at = 0; at < word.size(); at += 2) {
-    uint8_t value;
-    const std::string_view digits = word.substr(at, 2);
-    if (!parseWhole(digits, value, 16) || (digits.size() == 1 && word.size() > 1)) {
-      return false;
-    }
-    bytes.push_back({value, isBad && at + 2 >= word.size()});
-  }
-  return !word.empty();
-}
-
-// Reads the character after a backslash, as Python, C and JavaScript write it. Returns false for others.
-bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
-  constexpr std::string_view Letters = "abfnrtv\\'\"";
-  constexpr std::string_view Values = "\a\b\f\n\r\t\v\\'\"";
-  const char letter = at < text.size() ? text[at] : '\0';
-  if (letter == 'x' || letter == 'u') {
-    const size_t digits = letter == 'x' ? 2 : 4;
-    at += digits + 1;
-    return at <= text.size() && parseWhole(text.substr(at - digits, digits), value, 16);
-  }
-  size_t digits = 0;
-  while (digits < 3 && at + digits < text.size() && text[at + digits] >= '0' && text[at + digits] <= '7') {
-    digits++;
-  }
-  if (digits > 0) {
-    at += digits;
-    return parseWhole(text.substr(at - digits, digits), value, 8);
-  }
-  const size_t known = Letters.find(letter);
-  value = known == std::string_view::npos ? uint8_t{0} : static_cast<uint8_t>(Values[known]);
-  at++;
-  return known != std::string_view::npos;
-}
-
-// Reads the strings in a line; without quotation marks, from the first backslash to the end.
-std::string readStrings(std::string_view text, ByteText::Bytes &bytes) {
-  const size_t escape = text.find('\\');
-  const size_t mark = text.find_first_of("'\"");
-  const bool isBare = mark > escape || mark == std::string_view::npos;
-  for (size_t at = isBare ? escape : mark; at < text.size();) {
-    const char quote = isBare ? '\0' : text[at++];
-    while (at < text.size() && (isBare || text[at] != quote)) {
-      const size_t from = at;
-      ByteText::Byte byte{static_cast<uint8_t>(text[at++]), false};
-      if (text[from] == '\\' && !takeEscape(text, at, byte.value)) {
-        return quoted(text.substr(from, 4)) + " is not an escape of Python or C, such as \\x0f";
-      }
-      bytes.push_back(byte);
-    }
-    if (!isBare && at == text.size()) {
-      return "a string has no end: is the line cut?";
-    }
-    at = isBare ? at : text.find_first_of("'\"", at + 1);
-  }
-  return {};
-}
-
-// Reads a line of od -c: each character in four columns.
-std::string readCells(std::string_view text, ByteText::Bytes &bytes) {
-  for (size_t at = 0; at < text.size(); at += 4) {
-    const std::string_view word = withoutBlanks(text.substr(at, 4));
-    size_t end = 1;
-    ByteText::Byte byte{static_cast<uint8_t>(word.empty() ? ' ' : word.front()), false};
-    if (word.size() == 3 ? !parseWhole(word, byte.value, 8)
-                         : word.size() == 2 && (word.front() != '\\' || !takeEscape(word, end, byte.value))) {
-      return quoted(word) + " is not a character as od -c prints it";
-    }
-    bytes.push_back(byte);
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -251,21 +53,7 @@ struct ByteText::Style {
   }
 };
 
-std::string parseHex(std::string_view text, ByteText::Bytes &bytes) {
-  std::string wrong;
-  forEachWord(text, [&](std::string_view word, size_t) {
-    const size_t before = bytes.size();
-    const bool isBad = takeBad(word);
-    if (!takeHex(word, isBad, bytes)) {
-      takeMark(word);
-      wrong = word.substr(std::min(word.size(), 2 * (bytes.size() - before)), 2);
-    }
-    return wrong.empty();
-  });
-  return wrong;
-}
-
-size_t frameAt(const ByteText::Bytes &bytes) {
+size_t frameAt(const TextBytes &bytes) {
   for (const size_t size : {size_t{sbus::FrameSize}, size_t{sbus::FrameSize24}}) {
     if (bytes.size() >= size && bytes[0].value == sbus::HeaderByte && sbus::isFlagsByte(bytes[size - 2].value) &&
         sbus::isEndByte(bytes[size - 1].value)) {
@@ -282,13 +70,13 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
   _isBare = _form == Form::Numbers && !_isList && !hasOffsets() && _isBare;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const bool isCut = head.find('\n') == std::string_view::npos && !isWhole;
-    Bytes bytes;
+    TextBytes bytes;
     if (!read(takeLine(head), bytes).empty() && !isCut) {
       _lines = i == 0 ? 0 : _lines;  // a later line will be reported
       return;
     }
     const size_t frame = frameAt(bytes);
-    const Bytes rest(bytes.begin() + static_cast<std::ptrdiff_t>(frame), bytes.end());
+    const TextBytes rest(bytes.begin() + static_cast<std::ptrdiff_t>(frame), bytes.end());
     _lines += !bytes.empty();
     _frameLines += frame > 0;
     _filledLines += frame > 0 && !rest.empty() && frameAt(rest) == 0;
@@ -390,7 +178,7 @@ void ByteText::findStyle(std::string_view head) {
 void ByteText::findOrder(std::string_view line) {
   const std::string_view offset = line.substr(0, line.find(' '));
   _isSwapped = true;
-  Bytes bytes;
+  TextBytes bytes;
   const std::string_view ascii = withoutBlanks(line.substr(std::min(line.size(), _endColumn)));
   if (offset.back() == ':' && read(line, bytes).empty() && bytes.size() >= ascii.size()) {
     for (size_t i = 0; i < ascii.size(); i++) {
@@ -449,25 +237,30 @@ std::string_view ByteText::numbersOf(std::string_view line) const {
       break;
     }
     if (countWords(rest) == 0) {
-      return countWords(word) == 0 || text.size() < whole.size() || !isOneOf(word.front(), "0123456789abcdefABCDEF") ? std::string_view() : text;
+      const bool isNoByte = countWords(word) == 0 || text.size() < whole.size() ||
+                            !isOneOf(word.front(), "0123456789abcdefABCDEF");
+      return isNoByte ? std::string_view() : text;
     }
   }
   // An address, and the text of a dump behind two blanks.
   std::string_view rest = text;
   const std::string_view word = takeWord(rest);
-  const bool isAddress = word.substr(0, 2) == "0x" ? word.size() > 6 : word.size() >= 4 && word.find_first_not_of('0') == std::string_view::npos;
+  const bool isAddress = word.substr(0, 2) == "0x"
+                             ? word.size() > 6
+                             : word.size() >= 4 && word.find_first_not_of('0') == std::string_view::npos;
   text = isAddress && countWords(rest) > 0 ? withoutBlanks(rest) : withoutBlanks(text);
   for (size_t gap = text.find("  "); gap != std::string_view::npos; gap = text.find("  ", gap + 2)) {
     if (!areNumbers(text.substr(gap)) && areNumbers(text.substr(0, gap))) {
       const std::string_view behind = withoutBlanks(text.substr(gap));
-      text = areNumbers(behind.substr(0, behind.find(' '))) && behind.find("  ") != std::string_view::npos ? text : text.substr(0, gap);
+      const bool goesOn = areNumbers(behind.substr(0, behind.find(' '))) && behind.find("  ") != behind.npos;
+      text = goesOn ? text : text.substr(0, gap);
     }
   }
   return text;
 }
 
 // Reads the bytes of a line.
-std::string ByteText::read(std::string_view line, Bytes &bytes) const {
+std::string ByteText::read(std::string_view line, TextBytes &bytes) const {
   if (_form == Form::Strings) {
     return line.find('\\') == std::string_view::npos && line.find_first_of("'\"") == std::string_view::npos
                ? ""
@@ -498,7 +291,7 @@ std::string ByteText::read(std::string_view line, Bytes &bytes) const {
   return wrong;
 }
 
-bool ByteText::readNumber(std::string_view word, bool isNegative, Bytes &bytes) const {
+bool ByteText::readNumber(std::string_view word, bool isNegative, TextBytes &bytes) const {
   const bool isBad = takeBad(word);
   if (_base == 16) {
     return takeHex(word, isBad, bytes);
@@ -515,7 +308,7 @@ bool ByteText::readNumber(std::string_view word, bool isNegative, Bytes &bytes) 
   return true;
 }
 
-std::string ByteText::line(std::string_view text, Bytes &bytes) {
+std::string ByteText::line(std::string_view text, TextBytes &bytes) {
   std::string_view rest = plain(text);
   uint64_t offset;
   if (hasOffsets() && rest == "*") {
@@ -543,7 +336,7 @@ std::string ByteText::line(std::string_view text, Bytes &bytes) {
 }
 
 // Takes the * of a dump: the line before it stands for all up to this offset.
-std::string ByteText::repeat(uint64_t offset, Bytes &bytes) {
+std::string ByteText::repeat(uint64_t offset, TextBytes &bytes) {
   if (_held.empty() || offset < _at || offset - _at > RepeatedMost) {
     return "* stands for the line above, but not up to this offset: a dump with all its lines is expected, by -v";
   }
@@ -553,7 +346,7 @@ std::string ByteText::repeat(uint64_t offset, Bytes &bytes) {
   return {};
 }
 
-void ByteText::finish(Bytes &bytes) {
+void ByteText::finish(TextBytes &bytes) {
   bytes.insert(bytes.end(), _held.begin(), _held.end());
   _held.clear();
 }

@@ -5,18 +5,13 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "line/file/ByteWords.h"
 
 namespace line {
 
 class ByteText {
  public:
-  struct Byte {
-    uint8_t value;
-    bool bad;  // marked by !, as in the output of `sbus hex`
-  };
-  using Bytes = std::vector<Byte>;
-
   // Finds out from a text's first lines how it is written. `isWhole`: they are all of it.
   ByteText(std::string_view head, bool isWhole);
 
@@ -41,10 +36,10 @@ class ByteText {
 
   // Reads the next line. Appends its bytes; in a dump those of the line before, since an offset says how many they are.
   // Returns what is wrong with it and what is expected, or nothing; a line may hold no bytes.
-  std::string line(std::string_view text, Bytes &bytes);
+  std::string line(std::string_view text, TextBytes &bytes);
 
   // Appends the last line's bytes.
-  void finish(Bytes &bytes);
+  void finish(TextBytes &bytes);
 
  private:
   // How a line's bytes are written.
@@ -57,9 +52,9 @@ class ByteText {
   void findOrder(std::string_view line);
   bool takeOffset(std::string_view &text, uint64_t &offset) const;
   std::string_view numbersOf(std::string_view line) const;
-  std::string read(std::string_view line, Bytes &bytes) const;
-  bool readNumber(std::string_view word, bool isNegative, Bytes &bytes) const;
-  std::string repeat(uint64_t offset, Bytes &bytes);
+  std::string read(std::string_view line, TextBytes &bytes) const;
+  bool readNumber(std::string_view word, bool isNegative, TextBytes &bytes) const;
+  std::string repeat(uint64_t offset, TextBytes &bytes);
 
   Form _form = Form::Numbers;
   bool _isList = false;
@@ -73,16 +68,13 @@ class ByteText {
   size_t _frameLines = 0;   // that begin with a frame
   size_t _filledLines = 0;  // that go on after it
 
-  Bytes _held;              // the newest line's, if there are offsets
+  TextBytes _held;          // the newest line's, if there are offsets
   uint64_t _at = 0;         // the offset after them
   bool _hasOffset = false;  // there was one
   bool _repeats = false;    // a * came
 };
 
-// Reads bytes in hexadecimal: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3. Returns the first word that is none, or nothing.
-std::string parseHex(std::string_view text, ByteText::Bytes &bytes);
-
 // Returns the size of the frame at the beginning of the bytes; 0 without one.
-size_t frameAt(const ByteText::Bytes &bytes);
+size_t frameAt(const TextBytes &bytes);
 
 }  // namespace line

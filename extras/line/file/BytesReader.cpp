@@ -8,16 +8,20 @@ namespace {
 
 constexpr uint64_t SilenceUs = 3000;  // between lines, if their ends are known
 
+std::string valuesOf(const TextBytes &bytes) {
+  std::string values;
+  for (const TextByte &byte : bytes) {
+    values += static_cast<char>(byte.value);
+  }
+  return values;
+}
+
 // Returns the bytes of a text's first lines.
 std::string bytesOf(std::string_view head, ByteText text) {
-  std::string all;
-  ByteText::Bytes bytes;
+  TextBytes bytes;
   while (head.find('\n') != std::string_view::npos && text.line(takeLine(head), bytes).empty()) {
   }
-  for (const ByteText::Byte &byte : bytes) {
-    all += static_cast<char>(byte.value);
-  }
-  return all;
+  return valuesOf(bytes);
 }
 
 }  // namespace
@@ -70,11 +74,7 @@ void BytesReader::undo(std::string_view bytes) {
 
 void BytesReader::putLine(std::deque<Character> &characters) {
   if (_mangled.isChanged()) {
-    std::string bytes;
-    for (const ByteText::Byte &byte : _bytes) {
-      bytes += static_cast<char>(byte.value);
-    }
-    undo(bytes);
+    undo(valuesOf(_bytes));
   }
   const size_t frame = _text.hasFilledLines() ? frameAt(_bytes) : 0;
   put(0, frame, characters);

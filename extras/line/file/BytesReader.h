@@ -37,7 +37,7 @@ class BytesReader : public LineReader {
   const uint32_t _characterUs;
   ByteText _text;
   Mangled _mangled;
-  ByteText::Bytes _bytes;  // of a line
+  TextBytes _bytes;  // of a line
   Character _last;
 };
 

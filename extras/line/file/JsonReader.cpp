@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "line/file/ByteText.h"
+#include "line/file/ByteWords.h"
 #include "line/file/Units.h"
 #include "line/Format.h"
 #include "line/FrameBytes.h"
@@ -98,7 +98,7 @@ bool endOf(const Object &object, uint8_t &end) {
     end = 0;
     return true;
   }
-  ByteText::Bytes bytes;
+  TextBytes bytes;
   const std::string wrong = parseHex(found->is_string() ? found->get<std::string>() : "?", bytes);
   const bool isByte = wrong.empty() && bytes.size() == 1 && !bytes[0].bad;
   end = isByte ? bytes[0].value : 0;
@@ -155,12 +155,12 @@ std::string slotOf(const Object &object, std::vector<Character> &characters) {
 
 std::string bytesOf(const Object &object, const char *name, std::vector<Character> &characters) {
   const auto text = object.find(name);
-  ByteText::Bytes bytes;
+  TextBytes bytes;
   if (!parseHex(text != object.end() && text->is_string() ? text->get<std::string>() : "?", bytes).empty() ||
       bytes.empty()) {
     return std::string(name) + ": bytes in hexadecimal are expected, such as \"0F E3\"";
   }
-  for (const ByteText::Byte &byte : bytes) {
+  for (const TextByte &byte : bytes) {
     Character character;
     character.value = byte.value;
     character.bad = byte.bad;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "line/file/ByteText.h"
+#include "line/file/ByteWords.h"
 #include "line/FrameBytes.h"
 #include "line/capture/Parsing.h"
 #include "line/recording/Recording.h"
@@ -181,7 +181,7 @@ std::string TableRows::takeField(const Column &column, const CsvField &field) {
       (column.index < sbus::ProportionalCount ? _row.hasFirst : _row.hasRest) = true;
       return {};
     case Kind::End: {
-      ByteText::Bytes bytes;
+      TextBytes bytes;
       const bool isByte = parseHex(field.text, bytes).empty() && bytes.size() == 1;
       _row.values.end = isByte ? bytes[0].value : uint8_t{0};
       return isByte ? "" : "an end byte in hexadecimal is expected";
