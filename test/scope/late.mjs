@@ -90,7 +90,8 @@ export default async function () {
     await play(page, file);
     await toEnd(page);
     await until('it is not decoded', async () => !/decoded/.test(await page.textContent('#fault-counts')));
-    assert.ok(!(await page.isVisible('#fault-counts li:nth-child(5)')), await page.textContent('#fault-counts'));
+    // Record may be pressed within a frame: half a frame is damage, not silence.
+    assert.match(await page.textContent('#fault-counts'), /no frames: 0 ×/);
   });
 
   await check('in a recording of a PC that was late 0.3 s, this is a fault of its own; the link stays fine, and a cut wire is still a silence', async (page) => {
