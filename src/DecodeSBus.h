@@ -104,6 +104,7 @@ class DecodeSBusOf : protected Polling {
     _port.enter();
     _port.close();
     _port.stop(_port.stream());
+    _link.stop();
     _port.leave();
   }
 

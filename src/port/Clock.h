@@ -5,7 +5,9 @@
 #include <Arduino.h>
 #include <stdint.h>
 
+#include "../sbus/Barrier.h"
 #include "../sbus/Link.h"
+#include "Core.h"
 #if defined(SERIAL_SBUS)
 #include "../sbus/SleepClock.h"
 #endif
@@ -15,18 +17,24 @@ namespace sbus {
 #if defined(SERIAL_SBUS)
 
 // On an STM32L0 micros() is SysTick, which is slow in STM32L0.sleep() and stops in deepsleep(); millis() is the RTC
-// (cores/arduino/delay.c:32, 41; stm32l0_system.c:872, 1660, 1733).
+// (cores/arduino/delay.c:32, 41; stm32l0_system.c:872, 1660, 1733). The core tells before it sleeps (:1631), and only
+// from then on millis() is asked, which costs 200 cycles each time.
 class Clock {
  public:
-  // Starts now.
+  // Starts now. The object must live until stop().
   void start() {
-    const uint32_t ms = millis();
-    _sleeps.reset(micros(), ms);
+    stop();
+    _hasSlept = false;
+    stm32l0_system_register(&_notice, sleeps, this, STM32L0_SYSTEM_NOTIFY_SLEEP);
   }
+  void stop() { stm32l0_system_unregister(&_notice); }
 
   // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
-  // the frame before: hasSlept(). `time` is earlier than micros(), so it is asked for first: 45 cycles a frame less.
+  // the frame before: SleepClock::hasSlept(). `time` is earlier than micros(), so it is asked for first.
   bool took(uint32_t time) {
+    if (!_hasSlept) {
+      return false;
+    }
     const uint32_t ms = millis();
     const bool slept = _sleeps.hasSlept(time, ms) && _sleeps.hasSlept(micros(), ms);
     _sleeps.frame(time, ms);
@@ -35,6 +43,9 @@ class Clock {
 
   // Returns the age, us, of a frame with this frameTime(): the newest, or one that came near it.
   uint32_t ageOf(uint32_t time) const {
+    if (!_hasSlept) {
+      return micros() - time;
+    }
     const uint32_t ms = millis();
     return _sleeps.age(time, micros(), ms);
   }
@@ -43,7 +54,20 @@ class Clock {
   static uint32_t now() { return millis() * 1000; }
 
  private:
+  // Called by the core, in loop()'s context. Until then both clocks have run alike.
+  static void sleeps(void *object, uint32_t) {
+    Clock &clock = *static_cast<Clock *>(object);
+    if (!clock._hasSlept) {
+      const uint32_t ms = millis();
+      clock._sleeps.frame(micros(), ms);
+      barrier();
+      clock._hasSlept = true;
+    }
+  }
+
+  stm32l0_system_notify_t _notice;
   SleepClock _sleeps;
+  volatile bool _hasSlept;
 };
 
 #else
@@ -53,6 +77,7 @@ class Clock {
 class Clock {
  public:
   void start() {}
+  void stop() {}
   static constexpr bool took(uint32_t) { return false; }
   static uint32_t ageOf(uint32_t time) { return micros() - time; }
   static uint32_t now() { return micros(); }

@@ -6,7 +6,8 @@
 #include <Arduino.h>
 
 #if defined(SERIAL_SBUS)   // STM32L0
-#include <stm32l0_uart.h>  // the option bits that SERIAL_SBUS consists of, and the registers; Arduino.h lacks them
+#include <stm32l0_system.h>  // what the core tells before it sleeps
+#include <stm32l0_uart.h>    // the option bits that SERIAL_SBUS consists of, and the registers; Arduino.h lacks them
 #elif defined(__AVR__)
 #define SBUS_AVR
 #elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2

@@ -12,10 +12,8 @@ namespace sbus {
 /// The context that reads the port calls frame(), which may interrupt age(): then call age() again.
 class SleepClock {
  public:
-  /// Starts at `time`.
-  void reset(uint32_t time, uint32_t ms) { frame(time, ms); }
-
-  /// Takes the newest frame, with its FrameFinder::frameTime(), at the moment when it is complete.
+  /// Takes the newest frame, with its FrameFinder::frameTime(), at the moment when it is complete; and a time before
+  /// which micros() has never stood still.
   void frame(uint32_t time, uint32_t ms) {
     _time = time;
     _ms = ms;

@@ -1,6 +1,18 @@
 #include "FakeClock.h"
 
+#include <stm32l0_system.h>
+
+#include <algorithm>
+#include <vector>
+
+// Last: its macros break the C++ library.
 #include <Arduino.h>
+
+namespace {
+
+std::vector<stm32l0_system_notify_t *> told;
+
+}  // namespace
 
 uint64_t fakeMicros = 0;
 uint64_t fakeStoodStillUs = 0;
@@ -24,6 +36,28 @@ void delayMicroseconds(unsigned us) {
 
 void yield() {}
 
+// An object that is gone without end() may still stand in the list: nothing looks at it but fakeFallAsleep().
+void stm32l0_system_register(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context, uint32_t mask) {
+  *notify = {nullptr, callback, context, mask};
+  told.push_back(notify);
+}
+
+void stm32l0_system_unregister(stm32l0_system_notify_t *notify) {
+  told.erase(std::remove(told.begin(), told.end(), notify), told.end());
+}
+
+void fakeFallAsleep() {
+  for (stm32l0_system_notify_t *const notify : std::vector<stm32l0_system_notify_t *>(told)) {
+    if ((notify->mask & STM32L0_SYSTEM_NOTIFY_SLEEP) != 0) {
+      notify->callback(notify->context, STM32L0_SYSTEM_NOTIFY_SLEEP);
+    }
+  }
+}
+
+void fakeReset() {
+  told.clear();
+}
+
 void fakeSleep(uint64_t us) {
   constexpr uint64_t Divider = 16;
   const uint64_t before = fakeMicros / Divider;
@@ -32,6 +66,7 @@ void fakeSleep(uint64_t us) {
 }
 
 void fakeDeepSleep(uint64_t us) {
+  fakeFallAsleep();
   fakeMicros += us;
   fakeMicrosStoodUs += us;
 }

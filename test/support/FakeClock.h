@@ -21,7 +21,11 @@ constexpr uint64_t MillisWrap = (uint64_t{1} << 32) * 1000;  // us: 49 days and 
 //
 // STM32L0.sleep() divides the processor's clock by 16 while it waits for an interrupt (stm32l0_system.c:872, 1660).
 // Interrupts then run at the whole clock: on an emulator, micros() was 14.8 times too slow.
+// fakeFallAsleep() goes before: the core tells that it will sleep (:1631).
+void fakeFallAsleep();
 void fakeSleep(uint64_t us);
 // STM32L0.deepsleep() is the processor's STOP, which halts this clock (stm32l0_system.c:1733). The UART's clock stands
 // as well, and characters are lost.
 void fakeDeepSleep(uint64_t us);
+// Forgets who asked to be told: the board is another.
+void fakeReset();

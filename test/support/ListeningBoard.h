@@ -17,8 +17,15 @@ struct ListeningBoardOf {
   uint64_t heldUpUs = 0;         // how late PendSV's calls are
   bool isHeld = false;           // interrupts are masked
   bool losesEvents = false;      // PendSV's queue is full
-  bool isAsleep = false;         // in STM32L0.sleep(): interrupts still run
   std::function<void()> called;  // after each call
+
+  // Is in STM32L0.sleep() from now on, or no longer. Interrupts still run.
+  void sleep(bool isAsleep) {
+    _isAsleep = isAsleep;
+    if (isAsleep) {
+      fakeFallAsleep();
+    }
+  }
 
   // Lets time pass on a silent line.
   void pass(uint64_t us) {
@@ -46,7 +53,7 @@ struct ListeningBoardOf {
     constexpr uint64_t Step = 10;
     for (const uint64_t untilUs = fakeMicros + us; fakeMicros < untilUs;) {
       const uint64_t step = std::min(Step, untilUs - fakeMicros);
-      if (isAsleep) {
+      if (_isAsleep) {
         fakeSleep(step);
       } else {
         fakeMicros += step;
@@ -74,6 +81,7 @@ struct ListeningBoardOf {
     }
   }
 
+  bool _isAsleep = false;
   bool _hasEvent = false;
   uint64_t _dueUs = 0;
 };

@@ -43,6 +43,7 @@ void checkStale(Decoder &decoder, bool isStale) {
 struct Sleeper : ListeningBoard {
   static constexpr uint64_t PeriodUs = 9 * Ms;
   Sleeper() {
+    fakeReset();
     sbus.begin();
     for (unsigned number = 0; number < 5; number++) {
       frame(bytesOf(PaperLow.bytes), PeriodUs);
@@ -65,7 +66,7 @@ TEST_CASE("loop() sleeps: a cut line is in failsafe within the timeout and a loo
       fakeMicros = 7 * Second + phaseUs;
       Sleeper board;
       const uint64_t cutUs = fakeMicros - Sleeper::PeriodUs + 25 * 120;
-      board.isAsleep = true;
+      board.sleep(true);
       unsigned long before = 0;
       bool wasStale = false;
       while (fakeMicros < cutUs + 2 * Second) {
@@ -91,7 +92,7 @@ TEST_CASE("loop() sleeps while frames come: none is stale, and none is older tha
   for (const uint64_t readUs : {20 * Ms, 150 * Ms, 2 * Second}) {
     CAPTURE(readUs);
     Sleeper board;
-    board.isAsleep = true;
+    board.sleep(true);
     const uint32_t frames = board.sbus.counters().frames;
     unsigned count = 0;
     for (uint64_t us = 0; us < 20 * Second; us += readUs, count += static_cast<unsigned>(readUs / Sleeper::PeriodUs)) {
@@ -156,6 +157,7 @@ TEST_CASE("the first frame after 50 ms of sleep may be of before it, or of two: 
 }
 
 TEST_CASE("begin(), a sleep, and frames: the first one is stale, also if it was received in part before the sleep") {
+  fakeReset();
   ListeningBoard board;
   board.sbus.begin();
   board.pass(20 * Ms);
@@ -226,6 +228,7 @@ TEST_CASE("extra channels from before a sleep are stale after it, until they com
   for (const uint64_t sleepUs : {100 * Ms, 5 * Second}) {
     for (const bool goesOn : {false, true}) {
       INFO("sleepUs ", sleepUs, ", goesOn ", goesOn);
+      fakeReset();
       FakeBoard32 board;
       board.sbus.begin();
       board.firstFrame(Neutral.bytes);
@@ -260,7 +263,7 @@ TEST_CASE("the link quality of a board that sleeps, and then stays awake, is 100
   Sleeper board;
   sbus::LinkQuality quality;
   for (const bool isAsleep : {false, true, false, true, false}) {
-    board.isAsleep = isAsleep;
+    board.sleep(isAsleep);
     for (unsigned number = 0; number < 1000; number++) {
       board.fly(1);
       const uint8_t percent = quality.update(board.sbus);
@@ -272,6 +275,7 @@ TEST_CASE("the link quality of a board that sleeps, and then stays awake, is 100
 TEST_CASE("a sensor that was read before a sleep, and does not come after it, is not read after it") {
   for (const uint64_t sleepUs : {100 * Ms, 5 * Second}) {
     CAPTURE(sleepUs);
+    fakeReset();
     Sketch sketch(1000);
     sketch.rounds(5);
     REQUIRE(hasVoltage(sketch));

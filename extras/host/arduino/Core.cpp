@@ -1,5 +1,6 @@
 // The functions and objects of the board's core, built on host::Board.
 
+#include "stm32l0_system.h"
 #include "stm32l0_uart.h"
 
 #include "board/Board.h"
@@ -47,6 +48,11 @@ void delayMicroseconds(unsigned int us) {
 void yield() {
   polled();
 }
+
+// The simulated board does not sleep.
+void stm32l0_system_register(stm32l0_system_notify_t *, stm32l0_system_callback_t, void *, uint32_t) {}
+
+void stm32l0_system_unregister(stm32l0_system_notify_t *) {}
 
 void noInterrupts() {
   Board::instance().enableInterrupts(false);

@@ -6,6 +6,8 @@
 #pragma once
 
 #include "../Stream.h"
+#include <stm32l0_system.h>
+
 #include "Callback.h"
 #include "PinDescription.h"
 
@@ -40,6 +42,9 @@ class Uart : public Simulated<HardwareSerial> {
   operator bool() override { return true; }
 };
 extern Uart Serial1, Serial2;
+
+inline void stm32l0_system_register(stm32l0_system_notify_t *, stm32l0_system_callback_t, void *, uint32_t) {}
+inline void stm32l0_system_unregister(stm32l0_system_notify_t *) {}
 
 // The values are extras/host's.
 inline void Uart::begin(unsigned long baud, uint32_t config) {
