@@ -23,11 +23,10 @@ class Clock {
  public:
   // Starts now. The object must live until stop().
   void start() {
-    stop();
     _hasSlept = false;
-    stm32l0_system_register(&_notice, sleeps, this, STM32L0_SYSTEM_NOTIFY_SLEEP);
+    tell(sleeps);
   }
-  void stop() { stm32l0_system_unregister(&_notice); }
+  void stop() { tell(nullptr); }
 
   // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
   // the frame before: SleepClock::hasSlept(). `time` is earlier than micros(), so it is asked for first.
@@ -54,6 +53,17 @@ class Clock {
   static uint32_t now() { return millis() * 1000; }
 
  private:
+  void tell(stm32l0_system_callback_t callback) {
+#if defined(STM32L0_SYSTEM_NOTIFY_SLEEP)
+    stm32l0_system_unregister(&_notice);
+    if (callback != nullptr) {
+      stm32l0_system_register(&_notice, callback, this, STM32L0_SYSTEM_NOTIFY_SLEEP);
+    }
+#else  // core 0.0.10, which the Boards Manager installs (its stm32l0_system.c:1354, 1469)
+    stm32l0_system_notify(&_notice, callback, this, STM32L0_SYSTEM_EVENT_SLEEP);
+#endif
+  }
+
   // Called by the core, in loop()'s context. Until then both clocks have run alike.
   static void sleeps(void *object, uint32_t) {
     Clock &clock = *static_cast<Clock *>(object);

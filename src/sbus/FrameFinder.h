@@ -143,7 +143,13 @@ class FrameFinderOf : private Events {
   }
 
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
-  const uint8_t *ended() { return settle(Silence::Gap); }
+  const uint8_t *ended() {
+    if (_buffer.filled() == 0) {
+      gapBefore(Silence::Gap);
+      return nullptr;
+    }
+    return settle(Silence::Gap);
+  }
 
   /// Returns true if the `waiting` bytes need not be read yet: they complete no frame, and no silence shows before
   /// them. The port has just called back, because half of its ring was full.

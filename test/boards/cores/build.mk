@@ -46,7 +46,7 @@ teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
 # Further boards, on which only the examples are compiled.
-BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb uno xiao-esp32
+BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb stm32l0-0.0 uno xiao-esp32
 attiny := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE -DONE_PORT
 attiny2 := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE
 ch32v := Nrf52 gnu++17 -DARDUINO_ARCH_CH32V
@@ -63,6 +63,7 @@ leonardo := Avr gnu++11 -D__AVR_ATmega32U4__
 nano-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1 -DARDUINO_NANO_ESP32
 stm32-nucleo := Stm32 gnu++17 -DNUCLEO
 stm32-no-usb := Stm32 gnu++17 -DNO_USB
+stm32l0-0.0 := Stm32L0 gnu++11 -DSTM32L0_CORE_0_0
 uno := Avr gnu++11 -DONE_PORT
 xiao-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1 -DARDUINO_XIAO_ESP32C3
 
@@ -136,7 +137,7 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = $(if $(filter stm32l0,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
+$1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \

@@ -43,8 +43,10 @@ class Uart : public Simulated<HardwareSerial> {
 };
 extern Uart Serial1, Serial2;
 
+#if !defined(STM32L0_CORE_0_0)
 inline void stm32l0_system_register(stm32l0_system_notify_t *, stm32l0_system_callback_t, void *, uint32_t) {}
 inline void stm32l0_system_unregister(stm32l0_system_notify_t *) {}
+#endif
 
 // The values are extras/host's.
 inline void Uart::begin(unsigned long baud, uint32_t config) {
