@@ -77,7 +77,7 @@ bool claim(uint16_t channel) {
 }
 
 void select(uint16_t channel) {
-  const unsigned shift = (channel & 7) * 4;
+  const unsigned shift = ((channel & 7u) - STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX) * 4;  // core 0.0.10 counts from 1
   const uint32_t masked = __get_PRIMASK();
   __disable_irq();
   DMA1_CSELR->CSELR = (DMA1_CSELR->CSELR & ~(15u << shift)) | ((channel >> 4 & 15u) << shift);

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 Uart Serial1, Serial2, Serial3;
-extern const stm32l0_uart_params_t g_Serial1Params = {STM32L0_UART_INSTANCE_USART1, 0x0f32},
-                                   g_Serial2Params = {STM32L0_UART_INSTANCE_USART2, 0x0f45},
+extern const stm32l0_uart_params_t g_Serial1Params = {STM32L0_UART_INSTANCE_USART1, sim::channelOf(3, 3)},
+                                   g_Serial2Params = {STM32L0_UART_INSTANCE_USART2, sim::channelOf(6, 4)},
                                    g_Serial3Params = {STM32L0_UART_INSTANCE_LPUART1, STM32L0_DMA_CHANNEL_NONE};
 
 #include "port/Port.h"
@@ -40,17 +40,21 @@ void reset() {
   sbus::usart1.size = sbus::usart2.size = sbus::lpuart1.size = 0;
 }
 
+unsigned indexOf(uint16_t channel) {
+  return (channel & 7u) - STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX;
+}
+
 uint32_t requestOf(unsigned channel) {
   return dma.selection.CSELR >> (4 * channel) & 15;
 }
 
 // Uart::begin(): ends the port first, sets all of CR3 (stm32l0_uart.c:905), and enables the receiver's channel.
 void begin(unsigned uart) {
-  constexpr uint16_t Receivers[] = {0x0f32, 0x0f45, 0};
+  constexpr uint16_t Receivers[] = {channelOf(3, 3), channelOf(6, 4), 0};
   usarts[uart].CR3 = 0;
   usarts[uart].CR1 = USART_CR1_UE;
   if (Receivers[uart] != 0) {
-    dma.channels[Receivers[uart] & 7].owner = Free;
+    dma.channels[indexOf(Receivers[uart])].owner = Free;
     stm32l0_dma_enable(Receivers[uart], nullptr, nullptr);
     usarts[uart].CR3 = USART_CR3_DMAR;
   }
@@ -85,18 +89,18 @@ std::vector<uint8_t> sent(unsigned count) {
 
 // stm32l0_dma.c:181. Its modify() is an exclusive or, and the channel's upper bits reach the next channel's request.
 bool stm32l0_dma_enable(uint16_t channel, void (*)(void *, uint32_t), void *) {
-  sim::DmaChannel &dma = sim::dma.channels[channel & 7];
+  sim::DmaChannel &dma = sim::dma.channels[sim::indexOf(channel)];
   if (dma.owner != sim::Free) {
     return false;
   }
-  const unsigned shift = (channel & 7) << 2;
+  const unsigned shift = sim::indexOf(channel) << 2;
   dma.owner = channel;
   DMA1_CSELR->CSELR = (DMA1_CSELR->CSELR & ~(15u << shift)) ^ (uint32_t{channel} >> 4 << shift);
   return true;
 }
 // stm32l0_dma.c:236: the registers of a channel that is enabled do not change (RM0376, DMA_CNDTRx).
 void stm32l0_dma_start(uint16_t channel, uint32_t, uint32_t from, uint16_t count, uint32_t) {
-  sim::DmaChannel &dma = sim::dma.channels[channel & 7];
+  sim::DmaChannel &dma = sim::dma.channels[sim::indexOf(channel)];
   dma.size = count;
   if (!dma.enabled) {
     dma.memory = from;
@@ -105,7 +109,7 @@ void stm32l0_dma_start(uint16_t channel, uint32_t, uint32_t from, uint16_t count
   dma.enabled = true;
 }
 uint16_t stm32l0_dma_stop(uint16_t channel) {
-  sim::dma.channels[channel & 7].enabled = false;
+  sim::dma.channels[sim::indexOf(channel)].enabled = false;
   return stm32l0_dma_count(channel);
 }
 uint16_t stm32l0_dma_count(uint16_t channel) {
@@ -113,7 +117,7 @@ uint16_t stm32l0_dma_count(uint16_t channel) {
     const std::vector<uint8_t> characters = sim::sent(1);
     sim::gone.insert(sim::gone.end(), characters.begin(), characters.end());
   }
-  const sim::DmaChannel &dma = sim::dma.channels[channel & 7];
+  const sim::DmaChannel &dma = sim::dma.channels[sim::indexOf(channel)];
   return static_cast<uint16_t>(dma.size - dma.left);
 }
 
@@ -169,14 +173,14 @@ TEST_CASE("the receivers keep their requests, and the sender gets its own back a
 TEST_CASE("a channel that SPI or Wire has is left to it; without a channel nothing is sent, and there is no room") {
   sim::reset();
   sim::begin(1);
-  CHECK(stm32l0_dma_enable(0x0f66, nullptr, nullptr));  // Wire's channel 7
+  CHECK(stm32l0_dma_enable(sim::channelOf(7, 6), nullptr, nullptr));  // Wire's channel 7
   CHECK(send(Serial2, Slot));
   CHECK(sim::dma.channels[3].owner == STM32L0_DMA_CHANNEL_DMA1_CH4_USART2_TX);
   CHECK(sim::sent(99) == Slot);
   sim::reset();
   sim::begin(1);
-  CHECK(stm32l0_dma_enable(0x0f66, nullptr, nullptr));
-  CHECK(stm32l0_dma_enable(0x0f23, nullptr, nullptr));  // SPI's channel 4
+  CHECK(stm32l0_dma_enable(sim::channelOf(7, 6), nullptr, nullptr));
+  CHECK(stm32l0_dma_enable(sim::channelOf(4, 2), nullptr, nullptr));  // SPI's channel 4
   CHECK_FALSE(send(Serial2, Slot));
   CHECK(sbus::DmaSender::room(&Serial2) == 0);
   CHECK(sim::sent(99).empty());

@@ -115,7 +115,7 @@ ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TAS
   $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected) \
   $(if $(filter stm32l0,$(core)),,$(OUT)/$(core)/NoBackground.rejected)) \
   $(foreach board,$(CORES) $(BOARDS),$(patsubst %,$(OUT)/$(board)/%,$(call compiled,$(board)) \
-  $(if $(call reason,$(board),Led),,SBusUart.ok))) $(OUT)/uno/NoServo.rejected
+  $(if $(call reason,$(board),Led),,SBusUart.ok))) $(OUT)/uno/NoServo.rejected $(OUT)/stm32l0-0.0/DmaSenderTest
 
 all: $(ALL)
 list:

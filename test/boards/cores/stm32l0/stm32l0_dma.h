@@ -44,18 +44,30 @@ struct stm32l0_uart_params_t {
   uint8_t instance;
   uint16_t rx_dma;
 };
-constexpr uint16_t STM32L0_DMA_CHANNEL_NONE = 0xffff;
+constexpr uint16_t STM32L0_DMA_CHANNEL_NONE = 0;
 enum { STM32L0_UART_INSTANCE_USART1, STM32L0_UART_INSTANCE_USART2, STM32L0_UART_INSTANCE_LPUART1 };
 #define SERIAL_INTERFACES_COUNT 4
 
-// stm32l0_dma.h:58 ...: 0x0f, the request, the channel from 0.
+// stm32l0_dma.h:42, 58 ...: 0x0f, the request, the channel's index; in core 0.0.10 without 0x0f, and the index counts
+// from 1.
+#if defined(STM32L0_CORE_0_0)
+#define STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX 1
+#else
+#define STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX 0
+#endif
+namespace sim {
+constexpr uint16_t channelOf(unsigned number, unsigned request) {
+  return static_cast<uint16_t>((STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX != 0 ? 0 : 0x0f00) | request << 4 |
+                               (number - 1 + STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX));
+}
+}  // namespace sim
 enum : uint16_t {
-  STM32L0_DMA_CHANNEL_DMA1_CH2_USART1_TX = 0x0f31,
-  STM32L0_DMA_CHANNEL_DMA1_CH4_USART1_TX = 0x0f33,
-  STM32L0_DMA_CHANNEL_DMA1_CH4_USART2_TX = 0x0f43,
-  STM32L0_DMA_CHANNEL_DMA1_CH7_USART2_TX = 0x0f46,
-  STM32L0_DMA_CHANNEL_DMA1_CH2_LPUART1_TX = 0x0f51,
-  STM32L0_DMA_CHANNEL_DMA1_CH7_LPUART1_TX = 0x0f56,
+  STM32L0_DMA_CHANNEL_DMA1_CH2_USART1_TX = sim::channelOf(2, 3),
+  STM32L0_DMA_CHANNEL_DMA1_CH4_USART1_TX = sim::channelOf(4, 3),
+  STM32L0_DMA_CHANNEL_DMA1_CH4_USART2_TX = sim::channelOf(4, 4),
+  STM32L0_DMA_CHANNEL_DMA1_CH7_USART2_TX = sim::channelOf(7, 4),
+  STM32L0_DMA_CHANNEL_DMA1_CH2_LPUART1_TX = sim::channelOf(2, 5),
+  STM32L0_DMA_CHANNEL_DMA1_CH7_LPUART1_TX = sim::channelOf(7, 5),
 };
 enum : uint32_t {
   STM32L0_DMA_OPTION_MEMORY_TO_PERIPHERAL = 1,
