@@ -1,6 +1,6 @@
 #include "Listener.h"
 
-#if defined(SERIAL_SBUS) && defined(STM32L0_UART_EVENT_RECEIVE)
+#if defined(SERIAL_SBUS)
 
 namespace sbus {
 

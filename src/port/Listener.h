@@ -12,17 +12,8 @@ namespace sbus {
 
 #if defined(SERIAL_SBUS)  // STM32L0
 
-#if !defined(STM32L0_UART_EVENT_RECEIVE)
-// A core that does not show the state of its ports: uartOf() is null for all of them.
-struct stm32l0_uart_t {
-  uint16_t rx_index;
-  uint32_t rx_count;
-  uint8_t rx_event;
-};
-#else
 // Returns the core's state of a port, which its class keeps to itself.
 stm32l0_uart_t *uartOf(Uart &port);
-#endif
 // Returns null: another Stream does not tell when its line was idle.
 inline stm32l0_uart_t *uartOf(Stream &) {
   return nullptr;
