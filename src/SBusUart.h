@@ -21,7 +21,7 @@
 /// Otherwise 0.
 
 #if !defined(SBUS_UART)
-#if defined(ARDUINO_ARCH_NRF52) || defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || \
+#if defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || \
     defined(ARDUINO_ARCH_CH32V) || defined(ARDUINO_ARCH_CH32)
 #error "DecodeSBus: this board's core cannot receive S.Bus. Choose a board of the first table in extras/docs/boards.md"
 #define SBUS_UART Serial1
@@ -53,7 +53,8 @@
 #endif
 
 // AVR, Nano Every and STM32duino say which ports exist; for DxCore and megaTinyCore the chip does (USART1).
-#elif (defined(ARDUINO_ARCH_AVR) || defined(ARDUINO_ARCH_MEGAAVR)) && !defined(HAVE_HWSERIAL1) && !defined(USART1)
+#elif defined(NRF52832_XXAA) || \
+    (defined(ARDUINO_ARCH_AVR) || defined(ARDUINO_ARCH_MEGAAVR)) && !defined(HAVE_HWSERIAL1) && !defined(USART1)
 #define SBUS_UART Serial
 #define SBUS_TAKES_USB 1
 

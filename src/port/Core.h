@@ -21,6 +21,8 @@
 #endif
 #elif defined(ARDUINO_ARCH_SAMD)
 #define SBUS_SAMD
+#elif defined(ARDUINO_ARCH_NRF52)
+#define SBUS_NRF52  // Adafruit's core, and Seeed's copy of it
 #endif
 
 #if defined(SERIAL_HALF_DUPLEX) && defined(__IMXRT1062__)

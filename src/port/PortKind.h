@@ -47,7 +47,7 @@ struct Kind {
   using Pins = KeptPins;
 };
 
-// AVR, SAMD, nRF52, mbed, Uno R4, Teensy, STM32L0: begin(baud, config), where the format says whether to invert.
+// AVR, SAMD, mbed, Uno R4, Teensy, STM32L0: begin(baud, config), where the format says whether to invert.
 struct ByFormat : Kind {
   static constexpr bool Inverts = (PortConfig & InvertedBit) == 0;
   static constexpr bool BothWays = Inverts;
@@ -71,6 +71,33 @@ Format as(Format, Config config) {
 // extras/docs/telemetry.md.
 struct Teensy4 : ByFormat {
   static constexpr uint32_t SingleWire = PortConfig | SERIAL_HALF_DUPLEX;
+};
+#endif
+
+#if defined(SBUS_NRF52)
+// nRF52: begin() takes the nearest rate of a table, 115200 baud, and changes nothing of an open port
+// (Adafruit_nRF52_Arduino fa129c2, Uart.cpp:75, 92). The chip's registers take any: bolderflight/sbus#58 and
+// arduino/ArduinoCore-mbed#60 received S.Bus this way.
+struct Nrf52 : ByFormat {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins pins) {
+    constexpr uint32_t Clock = 16000000, Step = 0x1000;  // the registers' known values are multiples of it
+    ByFormat::open(port, baud, config, pins);
+    NRF_UARTE_Type *const registers = registersOf(port);
+    registers->CONFIG = (registers->CONFIG & UARTE_CONFIG_HWFC_Msk) | static_cast<uint16_t>(config);
+    registers->BAUDRATE = static_cast<uint32_t>((uint64_t{baud} << 32) / Clock + Step / 2) / Step * Step;
+    return Buffer;
+  }
+  template <typename Port>
+  static NRF_UARTE_Type *registersOf(Port &port) {
+#if defined(PIN_SERIAL2_RX)
+    if (&port == &Serial2) {
+      return NRF_UARTE1;
+    }
+#endif
+    static_cast<void>(port);
+    return NRF_UARTE0;
+  }
 };
 #endif
 
@@ -178,6 +205,9 @@ template <typename Port>
 OpenAlready kindOf(Port *, Stream *, Choice<1>);
 #if defined(SBUS_TEENSY4)
 Teensy4 kindOf(HardwareSerialIMXRT *port, HardwareSerial *, Choice<5>);
+#endif
+#if defined(SBUS_NRF52)
+Nrf52 kindOf(Uart *port, HardwareSerial *, Choice<5>);
 #endif
 // The kind of a port of this class.
 template <typename Port>

@@ -89,8 +89,7 @@ Text remedy(Finding finding) {
     case Finding::Spektrum:
       return SBUS_TEXT("Use a receiver with an S.Bus output.");
     case Finding::NoFrames:
-      return SBUS_TEXT(
-          "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.");
+      return SBUS_TEXT("Connect GND. Is it S.Bus? Is an inverter missing, or one too many?");
     case Finding::Channels24:
       return SBUS_TEXT("Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.");
     case Finding::WrongPolarity:

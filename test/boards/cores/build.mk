@@ -68,7 +68,7 @@ uno := Avr gnu++11 -DONE_PORT
 xiao-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1 -DARDUINO_XIAO_ESP32C3
 
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
-reason = $(strip $(if $(filter nrf52 nano33 ch32v,$1),core cannot receive S.Bus,$(if $(filter esp32-p4,$1),define SBUS_UART Serial1, \
+reason = $(strip $(if $(filter nano33 ch32v,$1),core cannot receive S.Bus,$(if $(filter esp32-p4,$1),define SBUS_UART Serial1, \
   $(if $(filter stm32-nucleo,$1),must make this board.s Serial1,$(if $(filter attiny esp8266 stm32-no-usb uno,$1), \
   $(if $(filter Led Servos,$2),,one port cannot receive and print),$(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts))))))
 # How boards.md calls it, in the row of SBUS_UART and SBUS_PINS.

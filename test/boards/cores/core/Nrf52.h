@@ -1,6 +1,6 @@
 // github.com/adafruit/Adafruit_nRF52_Arduino 1.7.0 (fa129c2): cores/nRF5/HardwareSerial.h, Uart.h and .cpp, main.cpp.
-// 100000 baud becomes 115200; a sketch can put that right, by NRF_UARTE0->BAUDRATE. begin() of an open port does
-// nothing (Uart.cpp:78); end() of a closed one waits for ever (168); characters with errors are kept (200).
+// 100000 baud becomes 115200, until NRF_UARTE0->BAUDRATE is written. begin() of an open port does nothing
+// (Uart.cpp:75); end() of a closed one waits for ever (168); characters with errors are kept (200).
 #pragma once
 
 #include "../Stream.h"
@@ -44,10 +44,39 @@ class Uart : public Simulated<HardwareSerial> {
 };
 extern Uart Serial1, Serial2;
 
-constexpr sim::Known Core = {false, false, 115200, 2, 0, true, true};
+// The registers of Serial1; a Feather has no other port.
+constexpr uint32_t UARTE_CONFIG_HWFC_Msk = 1;
+struct NRF_UARTE_Type {
+  class Register {
+   public:
+    void operator=(uint32_t value) {
+      _value = value;
+      registers().apply();
+    }
+    operator uint32_t() const { return _value; }
+
+   private:
+    uint32_t _value = 0;
+  } CONFIG, BAUDRATE;
+  static NRF_UARTE_Type &registers() {
+    static NRF_UARTE_Type only;
+    return only;
+  }
+
+ private:
+  void apply() const {
+    const uint64_t baud = uint64_t{BAUDRATE} * 16000000 >> 32;
+    const int format = static_cast<int>(CONFIG & ~UARTE_CONFIG_HWFC_Msk);
+    Serial1.uart.change({static_cast<unsigned long>(baud), sim::evenStops(format, SERIAL_8E1, SERIAL_8E2), false, false});
+  }
+};
+#define NRF_UARTE0 (&NRF_UARTE_Type::registers())
+
+constexpr sim::Known Core = {false, false, 100006, 2, 0, true, true};
 
 #define OPENED_BY_HAND
 inline void openByHand() {
   Serial1.begin(115200, SERIAL_8E2);
-  Serial1.uart.change({100000, 2, false, false});  // as NRF_UARTE0->BAUDRATE = 0x0199A000 does
+  NRF_UARTE0->CONFIG = SERIAL_8E2;
+  NRF_UARTE0->BAUDRATE = 0x0199A000;
 }
