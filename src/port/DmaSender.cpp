@@ -1,5 +1,7 @@
 #include "DmaSender.h"
 
+#include "HandOver.h"
+
 #if defined(SBUS_DMA_SENDER)
 
 #include <stm32l0_dma.h>
@@ -143,9 +145,8 @@ bool DmaSender::send(const HardwareSerial *port, const uint8_t *characters, size
 }
 
 bool DmaSender::isFresh(const HardwareSerial *port) {
-  constexpr unsigned Half = 16;
   const stm32l0_uart_params_t *const found = settings(port);
-  return found != nullptr && found->rx_dma != STM32L0_DMA_CHANNEL_NONE && stm32l0_dma_count(found->rx_dma) % Half == 0;
+  return found != nullptr && found->rx_dma != STM32L0_DMA_CHANNEL_NONE && stm32l0_dma_count(found->rx_dma) % HalfRing == 0;
 }
 
 bool DmaSender::hears(const HardwareSerial *port) {

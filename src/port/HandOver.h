@@ -11,12 +11,15 @@
 
 namespace sbus {
 
+// Half of the STM32L0's ring, characters: the port hands over a half at once (variant.cpp, stm32l0_usart1_rx_fifo[32]).
+constexpr unsigned HalfRing = 16;
+
 // The moment at which a port counts a character as waiting.
 enum class HandOver : uint8_t {
   Unknown,        // at an unknown time: a sensor does not answer there (except on an ESP32: below)
   EachCharacter,  // by an interrupt for each, in its first stop bit
   Fifo,           // in its first stop bit, even while interrupts are off
-  Dma16,          // with the sixteenth since the last time, or when the line was idle for a character
+  Dma16,          // with the sixteenth (HalfRing) since the last time, or when the line was idle for a character
 };
 
 // The time from the end of a character's last stop bit until it waits, us.
@@ -29,8 +32,7 @@ inline Lag lagOf(HandOver handOver, unsigned found) {
   constexpr int16_t Early = -15;  // the middle of the first of two stop bits
   constexpr int16_t Late = 10;    // an interrupt comes late by so much while others run
   constexpr int16_t Shown = -10;  // the end of the first stop bit
-  constexpr unsigned Half = 16;   // characters, of the STM32L0's ring
-  const int16_t idle = handOver == HandOver::Dma16 && found % Half != 0 ? CharacterTime : 0;
+  const int16_t idle = handOver == HandOver::Dma16 && found % HalfRing != 0 ? CharacterTime : 0;
   return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(handOver == HandOver::Fifo ? Shown : idle + Late)};
 }
 
@@ -53,7 +55,7 @@ inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by
 // than the earlier of the two says.
 inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t MostHeldUp = 40;  // us
-  const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);
+  const uint32_t end = by - (handOver == HandOver::Dma16 && found % HalfRing != 0 ? CharacterTime : 0);
   const uint32_t same = before + found * CharacterTime;
   const int32_t heldUp = static_cast<int32_t>(end - same);
   if (handOver == HandOver::Unknown || heldUp > MostHeldUp || heldUp < -MostHeldUp) {

@@ -46,7 +46,7 @@ class Listener {
   // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its
   // ring, and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong
   // (:529).
-  __attribute__((always_inline)) bool wasIdle() const { return _uart != nullptr && _uart->rx_index % 16 != 0; }
+  __attribute__((always_inline)) bool wasIdle() const { return _uart != nullptr && _uart->rx_index % HalfRing != 0; }
   // Returns true if it was idle after the newest byte that was read.
   bool isIdle() const {
     if (_uart == nullptr || !wasIdle()) {
