@@ -1,6 +1,7 @@
 // The cost of frames on a line without faults, as the board hands them over: to find, to decode, and to pack them.
 #include "Bench.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "board/BoardUart.h"
@@ -79,6 +80,23 @@ uint32_t costOfPacking() {
   return frame == PaperLow.bytes ? cost : 0;
 }
 
+// Returns 0 if it does not give the known frames' channels.
+template <typename Unpack>
+uint32_t costOfUnpacking(const Unpack &unpack) {
+  alignas(4) static uint8_t padded[3 + 25];
+  uint32_t most = 0;
+  for (const KnownFrame &known : KnownFrames) {
+    std::copy(known.bytes.begin(), known.bytes.end(), padded + 3);
+    Channels channels = {};
+    const uint32_t cost = instructions::of([&] { unpack(padded + 3, channels.data()); });
+    if (channels != known.channels) {
+      return 0;
+    }
+    most = cost > most ? cost : most;
+  }
+  return most;
+}
+
 double perFrame(uint32_t number) {
   return static_cast<double>(number) / MeasuredFrames;
 }
@@ -96,6 +114,8 @@ void printFrames() {
     std::printf("| ... and calls of the port | %.1f | %.1f |\n", perFrame(ours.portCalls), perFrame(papers.portCalls));
   }
   std::printf("| decode: decodeSBusFrame() | %lu | - |\n", static_cast<unsigned long>(costOfDecoding()));
+  std::printf("| sbus::unpack(), sbus::unpackAligned() | %lu, %lu | - |\n", static_cast<unsigned long>(costOfUnpacking(sbus::unpack)),
+              static_cast<unsigned long>(costOfUnpacking(sbus::unpackAligned)));
   std::printf("| encode: sbus::pack() | %lu | - |\n", static_cast<unsigned long>(costOfPacking()));
 }
 
