@@ -269,16 +269,3 @@ TEST_CASE("a read that fails although bytes wait ends the poll") {
   board.take(Bytes(40, 0xA5));
   CHECK(board.sbus.counters().frames == 0);
 }
-
-TEST_CASE("two objects side by side do not disturb each other") {
-  OpenBoard left;
-  OpenBoard right;
-  left.frame(Neutral.bytes);
-  right.frame(Neutral.bytes);
-  for (unsigned index = 0; index < 25; index++) {
-    left.take({PaperLow.bytes[index]});
-    right.take({PaperHigh.bytes[index]});
-  }
-  CHECK(left.channels() == PaperLow.channels);
-  CHECK(right.channels() == PaperHigh.channels);
-}
