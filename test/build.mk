@@ -7,7 +7,7 @@
 #   host      OUT/sketches, the library and all of extras/host and extras/line, by extras/host's own Makefile. The others take
 #             its objects: make it first, in a call of its own
 #   sketch    OUT/sketches/NAME, the sketch SKETCH=folder
-#   unit      OUT/UnitTest (unit/*Test.cpp), OUT/HostTest (host/*Test.cpp), and two with a library of their own
+#   unit      OUT/UnitTest (unit/*Test.cpp), OUT/HostTest (host/*Test.cpp), and OUT/PreemptTest with a library of its own
 #   lines     OUT/impairment/ImpairmentTest; OUT/impairment/Impairment prints the table
 #   captures  OUT/captures/Replay
 #   fuzz      OUT/fuzz/*, libFuzzer's programs, with clang's sanitizers; `make list-fuzz` names them
@@ -58,7 +58,7 @@ $(OUT)/board.a: $(HOST_OBJECTS:%=$(OUT)/sketches/objects/%)
 	@rm -f $@
 	ar rcs $@ $^
 
-PROGRAMS := UnitTest HostTest PlainCoreTest PreemptTest
+PROGRAMS := UnitTest HostTest PreemptTest
 unit: $(PROGRAMS:%=$(OUT)/%)
 lines: $(OUT)/impairment/ImpairmentTest
 captures: $(OUT)/captures/Replay
@@ -70,7 +70,7 @@ $(OUT)/%.o: %.cpp build.mk
 
 link = $(CXX) $(FLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@
 objects = $(patsubst %.cpp,$(OUT)/%.o,$(wildcard $1))
-$(OUT)/UnitTest: $(filter-out $(OUT)/unit/PlainCore%.o $(OUT)/unit/Preempt%.o,$(call objects,unit/*Test.cpp))
+$(OUT)/UnitTest: $(filter-out $(OUT)/unit/Preempt%.o,$(call objects,unit/*Test.cpp))
 # A line as the impairment bench has it.
 $(OUT)/HostTest: $(call objects,host/*Test.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp)
 $(OUT)/UnitTest $(OUT)/HostTest: $(call objects,support/Main.cpp support/FakeClock.cpp) $(OUT)/board.a
@@ -85,23 +85,19 @@ $(OUT)/impairment/Impairment $(OUT)/impairment/ImpairmentTest: %: %.o
 $(OUT)/captures/Replay: $(OUT)/captures/Replay.o $(OUT)/support/FakeClock.o $(OUT)/board.a
 	$(link)
 
-# PlainCoreTest lives on a plainer core. PreemptTest stops after each instruction of the library: as the board has them,
-# without the sanitizers' own.
-define own_library
-$(OUT)/$1/src/%.o: $(SRC)/%.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) $$(BOARDS) $2 -c $$< -o $$@
-$(OUT)/$1/Print.o: $(HOST)/arduino/Print.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) $$(PCS) $2 -c $$< -o $$@
-$(OUT)/$1/%.o: %.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) $$(PCS) $2 -c $$< -o $$@
-$(OUT)/$1Test: $(addprefix $(OUT)/$1/,$(patsubst %.cpp,%.o,$(wildcard unit/$1*Test.cpp)) support/Main.o support/FakeClock.o Print.o $(SOURCES:%.cpp=src/%.o))
-	$(CXX) $2 $$^ -o $$@
-endef
-$(eval $(call own_library,PlainCore,$(FLAGS) -DHOST_PLAIN_CORE))
-$(eval $(call own_library,Preempt,-g -Os))
+# PreemptTest stops after each instruction of the library: as the board has them, without the sanitizers' own.
+PREEMPT := -g -Os
+$(OUT)/Preempt/src/%.o: $(SRC)/%.cpp build.mk
+	@mkdir -p $(@D)
+	$(CXX) $(BOARDS) $(PREEMPT) -c $< -o $@
+$(OUT)/Preempt/Print.o: $(HOST)/arduino/Print.cpp build.mk
+	@mkdir -p $(@D)
+	$(CXX) $(PCS) $(PREEMPT) -c $< -o $@
+$(OUT)/Preempt/%.o: %.cpp build.mk
+	@mkdir -p $(@D)
+	$(CXX) $(PCS) $(PREEMPT) -c $< -o $@
+$(OUT)/PreemptTest: $(addprefix $(OUT)/Preempt/,$(patsubst %.cpp,%.o,$(wildcard unit/Preempt*Test.cpp)) support/Main.o support/FakeClock.o Print.o $(SOURCES:%.cpp=src/%.o))
+	$(CXX) $(PREEMPT) $^ -o $@
 
 # ---- What only has to compile
 

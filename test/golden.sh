@@ -7,7 +7,6 @@
 #   golden/README.csv              what README.md's ten lines print
 #   verdicts/LINES                 what the sketch Diagnose finds on each of these lines
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
-#   golden/from-the-paper*.csv     what the two sketches of docs/from-the-paper.md print
 #   README.md, docs/examples.md    that they show lines of golden files
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
@@ -94,8 +93,6 @@ for sketch in "$build"/sketch/*; do
 done
 golden README "$build/README" --seconds 10.05
 golden receivers "$build/receivers" --source sim:32 --seconds 0.3
-golden from-the-paper "$build/from-the-paper" --source recordings/paper.txt
-golden from-the-paper2 "$build/from-the-paper2" --seconds 0.1
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
 

@@ -70,7 +70,7 @@ doctest() {
 
 step_unit() {
   build "$1" -k unit
-  for program in UnitTest HostTest PlainCoreTest PreemptTest; do
+  for program in UnitTest HostTest PreemptTest; do
     if build "$1" -q "$BUILD/$1/$program" >/dev/null 2>&1; then doctest "$BUILD/$1/$program" 900; else
       echo "FAILED $program does not build"
     fi
@@ -174,7 +174,6 @@ esac
 if [ -n "${ONLY:-}" ]; then
   case $(ls unit/"$ONLY".cpp host/"$ONLY".cpp 2>/dev/null) in
     '') echo "ONLY=$ONLY: there is no unit/$ONLY.cpp or host/$ONLY.cpp in test" >&2; exit 2 ;;
-    unit/PlainCoreTest.cpp) program=PlainCoreTest ;;
     unit/Preempt*) program=PreemptTest ;;
     unit/*) program=UnitTest ;;
     host/*) program=HostTest ;;

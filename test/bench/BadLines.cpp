@@ -1,24 +1,22 @@
-// The cost of bad lines: on average, and of the longest call of parseSBusFrame() that was found on each.
+// The cost of bad lines, on average. LongestCall.cpp searches for the worst call.
 #include "Bench.h"
 
 #include <algorithm>
 #include <cstdio>
 
+#include "line/Line.h"
 #include "line/simulation/Random.h"
 #include "support/Bytes.h"
+#include "support/FakeClock.h"
 #include "support/KnownFrames.h"
 
-#include "Attack.h"  // last: Arduino.h has a type named byte
+#include "Cost.h"  // last: Arduino.h has a type named byte
 
 namespace {
 
 using line::Random;
 
-// A tenth more than was measured with GCC 12.2.
-constexpr uint32_t MostPerCall = 4600;
-constexpr uint32_t MostTenthsLinear = 50;  // 64 bytes cost no more than 5 times what 16 cost
-
-constexpr size_t Sizes[] = {16, 32, 48, 64};
+constexpr uint32_t MostPerByte = 107;  // a tenth more than was measured with GCC 12.2
 
 // A pattern that repeats forever without a gap.
 struct BadLine {
@@ -85,41 +83,6 @@ double streamCost(const BadLine &line) {
   return static_cast<double>(sum) / Count;
 }
 
-// Returns the longest call found on a line: it begins at any byte of the pattern, after up to 32 bytes in calls of 16
-// or 29, in sync or not.
-template <typename Receiver>
-uint32_t longestOn(const BadLine &line, size_t size) {
-  constexpr size_t Starts = 52;      // more than twice a frame
-  constexpr size_t MostBefore = 32;  // more than a frame
-  const size_t starts = std::min(line.pattern.size(), Starts);
-  uint32_t longest = 0;
-  for (const size_t burst : {16u, 29u}) {
-    for (size_t start = MostBefore; start < MostBefore + starts; start++) {
-      size_t at = start;
-      Bytes bytes(MostBefore + size);
-      std::generate(bytes.begin(), bytes.end(), [&] { return line[at++]; });
-      for (size_t before = 0; before <= MostBefore; before++) {
-        for (const bool synced : {false, true}) {
-          Attack attack = synced ? inSync(Neutral.bytes) : Attack();
-          uint32_t quietUs = synced ? 4000 : 0;
-          for (size_t from = MostBefore - before, count; from < bytes.size(); from += count) {
-            count = from < MostBefore ? std::min(burst, MostBefore - from) : size;
-            const size_t missing = burst - std::min(burst, count);
-            attack.add(part(bytes, from, from + count), quietUs + static_cast<uint32_t>(missing) * line::CharacterUs);
-            quietUs = 0;
-          }
-          longest = std::max(longest, costOf<Receiver>(attack).instructions);
-        }
-      }
-    }
-  }
-  return longest;
-}
-
-void print(uint32_t cost) {
-  std::printf(" %lu |", static_cast<unsigned long>(cost));
-}
-
 }  // namespace
 
 void printBadLines() {
@@ -127,23 +90,10 @@ void printBadLines() {
   for (const BadLine &line : badLines()) {
     std::printf("| %s | %.1f | %.1f |\n", line.name, streamCost<Ours>(line), streamCost<Papers>(line));
   }
-  std::printf(
-      "\n| the longest call of parseSBusFrame() found | 16 bytes | 32 | 48 | 64 | the baseline, 64 |\n"
-      "| --- | --- | --- | --- | --- | --- |\n");
-  for (const BadLine &line : badLines()) {
-    std::printf("| %s |", line.name);
-    for (const size_t size : Sizes) {
-      print(longestOn<Ours>(line, size));
-    }
-    print(longestOn<Papers>(line, Sizes[3]));
-    std::printf("\n");
-  }
 }
 
 void checkBadLines() {
   for (const BadLine &line : badLines()) {
-    const uint32_t linear = longestOn<Ours>(line, Sizes[0]) * MostTenthsLinear / 10;
-    atMost("64 bytes, no more than 5 times 16: " + std::string(line.name), longestOn<Ours>(line, Sizes[3]),
-           std::min(linear, MostPerCall));
+    atMost("a byte of " + std::string(line.name), static_cast<uint32_t>(streamCost<Ours>(line)), MostPerByte);
   }
 }

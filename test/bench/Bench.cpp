@@ -1,5 +1,5 @@
 // Prints what the library costs on a Cortex-M0+, in instructions.
-//   Bench known   Markdown; @NAME stands for the bytes of flash of the function NAME
+//   Bench known   Markdown
 //   Bench worst   the same for the longest call that a search finds
 //   Bench check   "ok bench: ..." and "FAILED bench: ...": the bounds
 #include "Bench.h"
@@ -20,7 +20,6 @@ void print() {
       __VERSION__);
   printFrames();
   printBadLines();
-  printUnpacking();
   printValues();
 }
 

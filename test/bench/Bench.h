@@ -14,8 +14,6 @@ void atMost(const std::string &what, uint32_t found, uint32_t most);
 void printFrames();
 void checkFrames();
 
-void printUnpacking();
-
 // Lines that cost a receiver more than a line without faults.
 void printBadLines();
 void checkBadLines();

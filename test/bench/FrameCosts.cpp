@@ -1,8 +1,8 @@
 // The cost of frames on a line without faults, as the board hands them over: to find, to decode, and to pack them.
 #include "Bench.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
 
 #include "board/BoardUart.h"
 #include "support/FakeClock.h"
@@ -86,7 +86,7 @@ uint32_t costOfUnpacking(const Unpack &unpack) {
   alignas(4) static uint8_t padded[3 + 25];
   uint32_t most = 0;
   for (const KnownFrame &known : KnownFrames) {
-    std::memcpy(padded + 3, known.bytes.data(), known.bytes.size());
+    std::copy(known.bytes.begin(), known.bytes.end(), padded + 3);
     Channels channels = {};
     const uint32_t cost = instructions::of([&] { unpack(padded + 3, channels.data()); });
     if (channels != known.channels) {
@@ -114,6 +114,8 @@ void printFrames() {
     std::printf("| ... and calls of the port | %.1f | %.1f |\n", perFrame(ours.portCalls), perFrame(papers.portCalls));
   }
   std::printf("| decode: decodeSBusFrame() | %lu | - |\n", static_cast<unsigned long>(costOfDecoding()));
+  std::printf("| sbus::unpack(), sbus::unpackAligned() | %lu, %lu | - |\n", static_cast<unsigned long>(costOfUnpacking(sbus::unpack)),
+              static_cast<unsigned long>(costOfUnpacking(sbus::unpackAligned)));
   std::printf("| encode: sbus::pack() | %lu | - |\n", static_cast<unsigned long>(costOfPacking()));
 }
 
@@ -127,21 +129,5 @@ void checkFrames() {
             "... and each was taken in, by the baseline as well");
   }
   atMost("decodeSBusFrame()", costOfDecoding(), MostPerDecode);
-  verdict(costOfUnpacking(sbus::unpack) > 0 && costOfUnpacking(sbus::unpackAligned) > 0 && costOfPacking() > 0,
-          "both ways of unpacking give the known channels");
-}
-
-void printUnpacking() {
-  const struct {
-    const char *what;
-    const char *name;
-    uint32_t cost;
-  } rows[] = {
-      {"byte by byte, written out: sbus::unpack()", "unpack", costOfUnpacking(sbus::unpack)},
-      {"word by word, written out: sbus::unpackAligned()", "unpackAligned", costOfUnpacking(sbus::unpackAligned)},
-  };
-  std::printf("\n| unpacking 18 channels | bytes of flash | instructions |\n| --- | --- | --- |\n");
-  for (const auto &row : rows) {
-    std::printf("| %s | @%s | %lu |\n", row.what, row.name, static_cast<unsigned long>(row.cost));
-  }
+  verdict(costOfPacking() > 0, "pack() gives the known bytes");
 }

@@ -19,10 +19,6 @@ run() {
   timeout 600 ../boards/cortex-m0/qemu.sh "$out/Bench" "$@"
 }
 
-known() { run known >"$out/known" && sed "$(build sizes)" "$out/known"; }
-
-worst() { run worst; }
-
 case ${1:-table} in check | known) export TRIES="${TRIES:-50000}" ;; esac  # the search of a check need not find the worst
 mkdir -p "$out"
 if ! build bench >"$out/log" 2>&1; then
@@ -31,8 +27,8 @@ if ! build bench >"$out/log" 2>&1; then
   exit 1
 fi
 case ${1:-table} in
-  table) known && echo && worst ;;
-  known | worst) "$1" ;;
+  table) run known && echo && run worst ;;
+  known | worst) run "$1" ;;
   check)
     printf '\nbench: what the library costs on a Cortex-M0+, in instructions\n'
     run check 2>&1

@@ -1,5 +1,5 @@
-# Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints for sed
-# how many bytes of flash each @NAME, a function of Frame.cpp, takes. The start-up code is that of ../boards/cortex-m0.
+# Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. The start-up code is that of
+# ../boards/cortex-m0.
 #   TRIES    how long the longest call is searched for: tries from each start, one of each line variant
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
@@ -23,7 +23,7 @@ MEASURED := BenchReceivers
 PARTS := Attack BadLines Bench Cost FrameCosts LongestCall Values
 
 bench: $(OUT)/Bench
-.PHONY: bench sizes
+.PHONY: bench
 .DELETE_ON_ERROR:
 
 $(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o $(OUT)/Runtime.o \
@@ -52,10 +52,5 @@ $(OUT)/tries-$(TRIES):
 	@mkdir -p $(@D)
 	@rm -f $(OUT)/tries-*
 	@touch $@
-
-# unpack() calls unpackGroup(), or has it in line.
-sizes: $(OUT)/src/sbus/Frame.o
-	@arm-none-eabi-nm --radix=d -S -C $^ | awk 'sub(/\(unsigned.*/, "") { name = $$NF; sub(/.*:/, "", name); \
-	  size[name == "unpackGroup" ? "unpack" : name] += $$2 } END { for (name in size) print "s/@" name " /" size[name] " /" }'
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

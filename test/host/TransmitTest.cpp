@@ -129,19 +129,6 @@ TEST_CASE("the board's buffer becomes free by packets of up to 32, which do not 
   CHECK(transmitter.availableForWrite() == 64 - 11);
 }
 
-TEST_CASE("a plainer core keeps one place of the buffer free, and frees each place when its character is sent") {
-  BoardTransmitter transmitter(63, 1);
-  transmitter.open(SBusNs);
-  CHECK(transmitter.availableForWrite() == 63);
-  CHECK(write(transmitter, 0, 70) == 63);
-  CHECK(transmitter.availableForWrite() == 0);
-  for (int i = 1; i <= 63; i++) {
-    REQUIRE(transmitter.packetEndUs() == static_cast<uint64_t>(i) * 120);
-    REQUIRE(sentBy(transmitter, transmitter.packetEndUs()).size() == 1);
-    REQUIRE(transmitter.availableForWrite() == i);
-  }
-}
-
 TEST_CASE(
     "a full buffer takes what fits; bytes written in time follow without a gap, later ones when they are written") {
   BoardTransmitter transmitter;

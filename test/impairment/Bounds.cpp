@@ -23,21 +23,28 @@ constexpr Measure Measures[] = {{"missed", &Tally::linesMissed, false},
                                 {"too young", &Tally::linesTooYoung, true},
                                 {"wrong after a gap", &Tally::linesOutlived, true}};
 
+// No lines: nothing has been measured.
+struct Counts {
+  uint64_t lines;
+  uint64_t of[std::size(Measures)];
+};
 struct Rates {
   const char *condition;
-  const char *sticks;
-  uint64_t lines;
-  uint64_t counts[std::size(Measures)];
+  Counts ordinary, deceptive;
 };
 constexpr Rates Known[] = {
 #include "Rates.inc"
 };
 
-const Rates *known(const Group &group) {
-  const auto found = std::find_if(std::begin(Known), std::end(Known), [&group](const Rates &rates) {
-    return group.condition->name == rates.condition && std::string(group.name) == rates.sticks;
-  });
-  return found == std::end(Known) ? nullptr : found;
+constexpr const char *Ordinary = "ordinary", *Deceptive = "deceptive";
+
+Counts known(const Condition &condition, const std::string &sticks) {
+  for (const Rates &rates : Known) {
+    if (condition.name == rates.condition) {
+      return sticks == Ordinary ? rates.ordinary : rates.deceptive;
+    }
+  }
+  return {};
 }
 
 // Returns the probability of `count` events or more where `mean` are expected (Poisson).
@@ -109,8 +116,8 @@ std::vector<Group> groups(const std::string &only) {
         all.push_back({&condition, name, sticks});
       }
     };
-    add("ordinary", condition.ordinarySticks());
-    add("deceptive", condition.deceptiveSticks());
+    add(Ordinary, condition.ordinarySticks());
+    add(Deceptive, condition.deceptiveSticks());
   }
   return all;
 }
@@ -125,14 +132,14 @@ std::vector<Check> checks(const std::vector<Group> &groups, const std::vector<Ta
     Check rare = {"all lines on which it is rare", measure.name, {}, {}, 0};
     double largest = 0;  // share of the lines of Rates.inc
     for (size_t i = 0; i < groups.size(); i++) {
-      const Rates *const rates = known(groups[i]);
-      if (rates == nullptr) {
+      const Counts rates = known(*groups[i].condition, groups[i].name);
+      if (rates.lines == 0) {
         throw std::out_of_range(groups[i].condition->name + ", " + groups[i].name + ": no rates, see Bounds.h");
       }
       Check check = {groups[i].condition->name + ", " + groups[i].name,
                      measure.name,
                      {tallies[i].*measure.lines, tallies[i].lines},
-                     {rates->counts[&measure - Measures], rates->lines},
+                     {rates.of[&measure - Measures], rates.lines},
                      0};
       const double share = ratio(check.seen.lines, check.measured.lines);
       if (!isPromised(measure, groups[i].condition->promise)) {
@@ -157,29 +164,29 @@ std::vector<Check> checks(const std::vector<Group> &groups, const std::vector<Ta
 }
 
 void printRates(const std::vector<Group> &chosen, const std::vector<Tally> &tallies) {
-  std::printf("// Written by `make -C test rates`: condition, sticks, lines; and on how many of them a frame was\n//");
+  std::printf("// Written by `make -C test rates`: condition; lines with ordinary sticks, and on how many of them a frame was\n//");
   for (const Measure &measure : Measures) {
     std::printf("%s %s", &measure == Measures ? "" : ",", measure.name);
   }
-  std::printf(".\n");
-  for (const Group &group : groups()) {
-    const auto row = [&group](uint64_t lines, const auto &count) {
-      std::printf("{\"%s\", \"%s\", %llu, {", group.condition->name.c_str(), group.name,
-                  static_cast<unsigned long long>(lines));
-      for (const Measure &measure : Measures) {
-        std::printf("%s%llu", &measure == Measures ? "" : ", ", static_cast<unsigned long long>(count(measure)));
+  std::printf("; the same for deceptive sticks.\n");
+  for (const Condition &condition : conditions()) {
+    std::printf("{\"%s\"", condition.name.c_str());
+    for (const std::string sticks : {Ordinary, Deceptive}) {
+      Counts counts = known(condition, sticks);
+      for (size_t i = 0; i < chosen.size(); i++) {
+        if (chosen[i].condition == &condition && chosen[i].name == sticks) {
+          counts.lines = tallies[i].lines;
+          for (const Measure &measure : Measures) {
+            counts.of[&measure - Measures] = tallies[i].*measure.lines;
+          }
+        }
       }
-      std::printf("}},\n");
-    };
-    const auto found = std::find_if(chosen.begin(), chosen.end(), [&group](const Group &one) {
-      return one.condition == group.condition && one.name == std::string(group.name);
-    });
-    const Rates *const rates = known(group);
-    if (found != chosen.end()) {
-      const Tally &tally = tallies[static_cast<size_t>(found - chosen.begin())];
-      row(tally.lines, [&tally](const Measure &measure) { return tally.*measure.lines; });
-    } else if (rates != nullptr) {
-      row(rates->lines, [rates](const Measure &measure) { return rates->counts[&measure - Measures]; });
+      std::string numbers;
+      for (const uint64_t count : counts.of) {
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(count);
+      }
+      std::printf(counts.lines == 0 ? ", {}" : ", {%llu, {%s}}", static_cast<unsigned long long>(counts.lines), numbers.c_str());
     }
+    std::printf("},\n");
   }
 }

@@ -22,16 +22,12 @@ const std::vector<Condition> &lateCallLines() {
   static const std::vector<Setup> setups = calledBack({7000, 9000, 14000}, 40);
   static const std::vector<Condition> lines = {
       {"calls up to 40 us late", plain(), setups, Faultless},
-      {"calls up to 300 us late", late(300), setups, Faultless},
       {"calls up to 1 ms late", late(1000), setups, Faultless},
       {"calls up to 2 ms late", late(2000), setups, NeverWrong},
-      {"calls up to 4 ms late", late(4000), setups, NeverWrong},
       {"calls up to 8 ms late", late(8000), setups, NeverWrong},
       {"calls up to 40 us late, dropped 1/300", dropped(1 / 300.), setups, None},
-      {"calls up to 300 us late, dropped 1/300", late(300, dropped(1 / 300.)), setups, None},
       {"calls up to 1 ms late, dropped 1/300", late(1000, dropped(1 / 300.)), setups, None},
       {"calls up to 2 ms late, dropped 1/300", late(2000, dropped(1 / 300.)), setups, None},
-      {"calls up to 4 ms late, dropped 1/300", late(4000, dropped(1 / 300.)), setups, None},
       {"calls up to 8 ms late, dropped 1/300", late(8000, dropped(1 / 300.)), setups, None},
   };
   return lines;

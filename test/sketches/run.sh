@@ -28,6 +28,14 @@ awk -v folder="$folder" '
     next
   }
   /^=== file / { file = beside "/" $3; next }
+  /^=== values$/ { print "void loop() {}\nvoid setup() {\n  Serial.begin(115200);" >file; values = 1; next }
+  values && / => / {  # each with its number, so that no line stands for another
+    at = index($0, " => ")
+    printf "  Serial.print(\"%d: \");\n  Serial.println(%s);\n", values, substr($0, 1, at - 1) >file
+    printf "prints %d: %s\n", values++, substr($0, at + 4) >(beside ".lines")
+    next
+  }
+  values && /^$/ { print "}" >file; values = 0; next }
   /^=== run / { sub(/^=== run /, ""); print >(beside ".options"); next }
   /^=== input / { sub(/^=== input /, ""); print >(beside ".input"); next }
   /^=== (prints|reports) / { sub(/^=== /, ""); print >(beside ".lines"); next }

@@ -67,7 +67,6 @@ class FakeSerial : public HardwareSerial {
     singleReads++;
     return next();
   }
-#if !defined(HOST_PLAIN_CORE)
   void onReceive(void (*)()) {}  // the board's Uart has it
   int read(uint8_t *buffer, size_t size) override {
     beforeRead();
@@ -85,7 +84,6 @@ class FakeSerial : public HardwareSerial {
     }
     return static_cast<int>(count);
   }
-#endif
   void flush() override {}
   int availableForWrite() override { return _isOpen ? placesToWrite : 0; }
   size_t write(uint8_t value) override {

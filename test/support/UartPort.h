@@ -94,11 +94,9 @@ class UartPort : public HardwareSerial {
     uint8_t value;
     return take(&value, 1) == 1 ? value : -1;
   }
-#if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override {
     return take(buffer, size);
   }
-#endif
   void flush() override {
   }
   size_t write(uint8_t) override {
@@ -165,7 +163,6 @@ class BoardsPort : public UartPort {
   void onReceive(void (*)()) {}
 };
 
-#if !defined(HOST_PLAIN_CORE)
 // The board's port, which calls back: it notes the event when bytes are handed over, until they are read
 // (GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, stm32l0_uart.c:99, 1171), and PendSV makes the call, which does not
 // interrupt itself (Uart.cpp:385, armv6m_pendsv.c:133). begin() and end() keep the callback. Call callBack() wherever
@@ -217,4 +214,3 @@ class UnknownCallingPort : public CallingPort {
 inline stm32l0_uart_t *uartOf(UnknownCallingPort &) {
   return nullptr;
 }
-#endif

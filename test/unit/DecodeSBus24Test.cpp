@@ -1,5 +1,4 @@
-// FrSky's 24 channels: which frames of 36 bytes are found, how the class decodes them, and that no line is taken for
-// one of the other size.
+// FrSky's 24 channels: how the class decodes them, and that no line is taken for one of the other size.
 #include <doctest/doctest.h>
 
 #include <climits>
@@ -12,9 +11,6 @@
 using sbus::LinkState;
 
 namespace {
-
-using Feeder24 = FeederOf<sbus::Frame24>;
-using LongFrames = Feeder24::Frames;
 
 struct Board24 : FakeBoardOf<DecodeSBus24, sbus::Frame24> {
   Board24() { sbus.begin(); }
@@ -30,39 +26,6 @@ struct Board24 : FakeBoardOf<DecodeSBus24, sbus::Frame24> {
 };
 
 }  // namespace
-
-TEST_CASE("36 bytes are rejected for a wrong header, flags or end byte, each by its own counter, and for a gap inside") {
-  const struct {
-    doctest::String what;
-    Bytes bytes, afterGap;
-    unsigned byEnd, byFlags, byExtra;
-  } rows[] = {
-      {"header 2F", bytesOf(withByte(longFrame(5), 0, 0x2F)), {}, 0, 0, 0},
-      {"flags bit 4", bytesOf(withByte(longFrame(5), 34, 0x10)), {}, 0, 1, 0},
-      {"end byte 04 of S.BUS2", bytesOf(withByte(longFrame(5), 35, 0x04)), {}, 1, 0, 0},
-      {"end byte 08 of an R7003SB", bytesOf(withByte(longFrame(5), 35, 0x08)), {}, 1, 0, 0},
-      {"a gap inside", part(longFrame(5), 0, 20), part(longFrame(5), 20), 0, 0, 1},
-  };
-  for (const auto &row : rows) {
-    CAPTURE(row.what);
-    Feeder24 line;
-    line.settle();
-    for (unsigned number = 0; number < 3; number++) {
-      line.feed(bytesOf(longFrame(number)));
-      line.wait(Feeder24::GapUs);
-    }
-    CHECK(line.feed(row.bytes) == LongFrames{});
-    if (!row.afterGap.empty()) {
-      CHECK(line.wait(8000).feed(row.afterGap) == LongFrames{});
-    }
-    CHECK(line.wait(Feeder24::GapUs).feed(bytesOf(longFrame(6))) == LongFrames{longFrame(6)});
-    const sbus::Counters counters = line.counted();
-    CHECK(counters.rejectedByEnd == row.byEnd);
-    CHECK(counters.rejectedByFlags == row.byFlags);
-    CHECK(counters.rejectedByLength == row.byExtra);
-    CHECK(counters.discardedBytes == 36);
-  }
-}
 
 TEST_CASE("a line with frames of the other size brings no frame, and all of its frames but the last are counted") {
   for (const bool neutral : {false, true}) {

@@ -83,35 +83,6 @@ TEST_CASE("without frames no sensor is read, and begin() forgets all of them") {
   CHECK(!hasSlots<1>(sketch.sbus, 1));
 }
 
-TEST_CASE(
-    "a group in which bytes were lost or a frame with header 2F came is rejected even if it looks "
-    "whole") {
-  const Frame frame = plainFrame(0, 0x04);
-  const Bytes whole = {0x83, 0x80, 0x38};
-  const struct {
-    const char *what;
-    std::function<void(sbus::Telemetry &)> event;
-    bool isRejected;
-  } rows[] = {{"nothing", [](sbus::Telemetry &) {}, false},
-              {"lost", [](sbus::Telemetry &telemetry) { telemetry.lost(); }, true}};
-  for (const auto &row : rows) {
-    CAPTURE(row.what);
-    sbus::Telemetry telemetry;
-    telemetry.begin();
-    telemetry.taken(frame.data());
-    telemetry.discarded(whole.data(), 2);
-    row.event(telemetry);
-    telemetry.discarded(whole.data() + 2, 1);
-    telemetry.taken(frame.data());
-    sbus::SlotData slot;
-    CHECK(telemetry.read(1, 1, &slot) == !row.isRejected);
-    CHECK(telemetry.rejectedGroups() == row.isRejected);
-    telemetry.discarded(whole.data(), 3);
-    telemetry.taken(frame.data());
-    CHECK(telemetry.read(1, 1, &slot));
-  }
-}
-
 TEST_CASE("if a port loses bytes between two frames, their group is rejected") {
   sbus::FrameFinderOf<sbus::Frame16, sbus::Telemetry> finder;
   uint32_t now = 0;

@@ -263,22 +263,31 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a Stream that is no hardware serial port is not opened, and is read byte by byte; no frame is missed") {
+  FakeSerial port;
+  port.begin(100000, SERIAL_8E2);
+  DecodeSBus sbus(static_cast<Stream &>(port));
+  sbus.begin();
+  CHECK(port.openings.size() == 1);
+  for (unsigned number = 0; number < 10; number++) {
+    fakeMicros += 6 * Ms;
+    sbus.parseSBusFrame();
+    for (const uint8_t value : plainFrame(number)) {
+      fakeMicros += 120;
+      port.arrive(Bytes{value});
+      sbus.parseSBusFrame();
+    }
+  }
+  fakeMicros += 6 * Ms;
+  sbus.parseSBusFrame();
+  CHECK(sbus.counters().frames == 10);
+  CHECK(sbus.counters().discardedBytes == 0);
+  CHECK(port.singleReads == 250);
+}
+
 TEST_CASE("a read that fails although bytes wait ends the poll") {
   OpenBoard board;
   board.port.readFails = true;
   board.take(Bytes(40, 0xA5));
   CHECK(board.sbus.counters().frames == 0);
-}
-
-TEST_CASE("two objects side by side do not disturb each other") {
-  OpenBoard left;
-  OpenBoard right;
-  left.frame(Neutral.bytes);
-  right.frame(Neutral.bytes);
-  for (unsigned index = 0; index < 25; index++) {
-    left.take({PaperLow.bytes[index]});
-    right.take({PaperHigh.bytes[index]});
-  }
-  CHECK(left.channels() == PaperLow.channels);
-  CHECK(right.channels() == PaperHigh.channels);
 }

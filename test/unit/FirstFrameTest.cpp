@@ -10,11 +10,6 @@ namespace {
 
 const Bytes Low = bytesOf(PaperLow.bytes);
 
-// Frames with and without 0F in the payload.
-Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
-  return neutral ? neutralFrame(number, end) : plainFrame(number, end);
-}
-
 // FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
 Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace, uint8_t next = 0x3E) {
   const Frame beginning = withByte(withByte(neutralFrame(number), 23, flagsPlace), 24, endPlace);
@@ -117,50 +112,6 @@ TEST_CASE("still frames of 36 bytes that look like 25 of S.BUS2 with a slot's ID
         CHECK(line.frames(loopUs).empty());
       }
     }
-  }
-}
-
-TEST_CASE(
-    "a connector that opens between two frames, and 300 ms later closes within one, causes no false sync, seen gaps or "
-    "not") {
-  for (const uint32_t periodUs : {4000u, 6000u, 9000u}) {
-    for (const uint32_t loopUs : {50u, 1000u, 3000u, 5000u}) {
-      for (size_t at = 1; at < 25; at++) {
-        INFO("periodUs ", periodUs, ", loopUs ", loopUs, ", at ", at);
-        const uint32_t gapUs = periodUs - 25 * Feeder::CharacterUs;
-        TimedLine line;
-        for (unsigned count = 0; count < 20; count++) {
-          line.send(FailsafeFrame).gap(gapUs);  // it allows a false sync
-        }
-        line.gap(300000).send(part(FailsafeFrame, at)).gap(gapUs);
-        for (unsigned count = 0; count < 20; count++) {
-          line.send(FailsafeFrame).gap(gapUs);
-        }
-        const Frames found = line.frames(loopUs);
-        CHECK(found.size() >= 20);
-        CHECK(found == Frames(found.size(), FailsafeFrame));
-      }
-    }
-  }
-}
-
-TEST_CASE(
-    "frames with header 2F, or of 36 bytes without flags at 23, cost none of the frames between them, and none is "
-    "wrong") {
-  for (const bool longOnes : {false, true}) {
-    TimedLine line;
-    Frames sent;
-    for (unsigned number = 0; number < 40; number++) {
-      sent.push_back(frameOf(number % 2 != 0, number));
-      line.send(sent.back()).gap(4000);
-      line.send(longOnes ? frame36(number, 0xE0, 0x00) : bytesOf(withByte(neutralFrame(number), 0, 0x2F)))
-          .gap(4000);
-    }
-    for (const uint32_t loopUs : {50u, 500u, 1000u, 2000u}) {
-      INFO("longOnes ", longOnes, ", loopUs ", loopUs);
-      CHECK(line.frames(loopUs) == sent);
-    }
-    CHECK(isPartOf(line.frames(5000), sent));
   }
 }
 

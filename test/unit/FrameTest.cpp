@@ -82,20 +82,26 @@ TEST_CASE("known frames are frames, have the known channels, and are written byt
   }
 }
 
-TEST_CASE("every channel takes every value 0..2047, both ways, and leaves its neighbours alone") {
+template <typename Values>
+void checkEveryValue(unsigned count) {
   for (const uint16_t others : {uint16_t{0}, uint16_t{2047}}) {
-    for (unsigned channel = 0; channel < 16; channel++) {
+    for (unsigned channel = 0; channel < count; channel++) {
       for (uint16_t value = 0; value <= 2047; value++) {
-        Channels channels{};
-        std::fill_n(channels.begin(), 16, others);
+        Values channels{};
+        std::fill_n(channels.begin(), count, others);
         channels[channel] = value;
-        const Frame frame = writeBitByBit(channels);
+        const auto frame = writeBitByBit(channels);
         if (unpacked(frame) != channels || packed(channels) != frame) {
-          FAIL("channel ", channel + 1, ", value ", value, ", all others ", others);
+          FAIL("channel ", channel + 1, " of ", count, ", value ", value, ", all others ", others);
         }
       }
     }
   }
+}
+
+TEST_CASE("every channel, of 16 or 24, takes every value 0..2047, both ways, and leaves its neighbours alone") {
+  checkEveryValue<Channels>(16);
+  checkEveryValue<LongChannels>(24);
 }
 
 TEST_CASE("flags bits 0..3 are CH17, CH18, lost frame and failsafe, both ways; header and end byte are not read") {
@@ -123,22 +129,6 @@ TEST_CASE("a channel above 2047 is sent as 2047 and spills into no neighbour, a 
       Channels sent{};
       sent[channel] = channel < 16 ? std::min(value, uint16_t{2047}) : uint16_t{1};
       CHECK(packed(channels) == writeBitByBit(sent));
-    }
-  }
-}
-
-TEST_CASE("each of 24 channels takes every value 0..2047, both ways, and leaves its neighbours alone") {
-  for (const uint16_t others : {uint16_t{0}, uint16_t{2047}}) {
-    for (unsigned channel = 0; channel < 24; channel++) {
-      for (uint16_t value = 0; value <= 2047; value++) {
-        LongChannels channels;
-        channels.fill(others);
-        channels[channel] = value;
-        const LongFrame frame = writeBitByBit(channels);
-        if (unpacked(frame) != channels || packed(channels) != frame) {
-          FAIL("channel ", channel + 1, ", value ", value, ", all others ", others);
-        }
-      }
     }
   }
 }

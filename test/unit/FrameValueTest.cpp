@@ -104,21 +104,13 @@ TEST_CASE("a run of lost frames as long as the loss limit is read as failsafe") 
   }
 }
 
-TEST_CASE("the other decoders read as well: 24 channels, telemetry; DecodeSBusNoPulses keeps the channels before") {
+TEST_CASE("the other decoders read as well: 24 channels, telemetry") {
   SBusFrame frame;
   FakeBoardOf<DecodeSBusTelemetry, sbus::Frame16> telemetry;
   telemetry.sbus.begin();
   telemetry.firstFrame(PaperLow.bytes);
   CHECK(telemetry.sbus.read(frame));
   check(frame, PaperLow.channels, false, false);
-
-  FakeBoardOf<DecodeSBusNoPulses, sbus::Frame16NoPulses> noPulses;
-  noPulses.sbus.begin();
-  noPulses.firstFrame(PaperHigh.bytes);
-  CHECK(noPulses.sbus.read(frame));
-  noPulses.nextFrame(writeBitByBit(Channels{}));
-  CHECK(noPulses.sbus.read(frame));
-  check(frame, PaperHigh.channels, false, true);
 
   LongChannels channels = {};
   channels[0] = 172;

@@ -128,25 +128,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("calls of the port that come late by up to 0.3 ms cost no frame, and hand over none that was not sent") {
-  line::Random random(20182);
-  for (const uint64_t latestUs : {40u, 90u, 200u, 300u}) {
-    CAPTURE(latestUs);
-    Listening board;
-    for (unsigned number = 0; number < 300; number++) {
-      for (const uint8_t value : plainFrame(number)) {
-        board.heldUpUs = random.below(static_cast<uint32_t>(latestUs));
-        board.send({value});
-      }
-      board.pass(6 * Ms);
-    }
-    CHECK(board.frames.size() == 300);
-    for (unsigned number = 0; number < board.frames.size(); number++) {
-      CHECK(board.frames[number] == readBitByBit(plainFrame(number)));
-    }
-  }
-}
-
 TEST_CASE("frameAge() is never less than a frame's age, however late the calls are, and not much more") {
   const struct {
     uint32_t latestUs;
@@ -172,36 +153,6 @@ TEST_CASE("frameAge() is never less than a frame's age, however late the calls a
       }
     }
     CHECK(most <= row.mostMs);
-  }
-}
-
-TEST_CASE("calls that come late by up to 8 ms, as behind other work at their level, cost frames, and give no wrong one") {
-  line::Random random(20184);
-  for (const uint64_t periodUs : {5000u, 6300u, 7000u, 9000u}) {
-    CAPTURE(periodUs);
-    size_t handedOver = 0;
-    for (size_t place = 3; place < 24; place++) {
-      CAPTURE(place);
-      Frame frame = SecondReading;  // another header after an end byte, at each place
-      for (size_t i = 1; i < 23; i++) {
-        frame[i] = static_cast<uint8_t>(random.below(256));
-      }
-      frame[23] = 0x00;
-      frame[place] = 0x0F;
-      frame[place - 1] = 0x00;
-      frame[place - 2] = static_cast<uint8_t>(random.below(16));
-      Listening board;
-      for (unsigned number = 0; number < 150; number++) {
-        for (const uint8_t value : frame) {
-          board.heldUpUs = random.below(10) == 0 ? random.below(8000) : 3;
-          board.send({value});
-        }
-        board.pass(periodUs - 25 * 120);
-      }
-      CHECK(board.wrong(readBitByBit(frame)) == 0);
-      handedOver += board.frames.size();
-    }
-    CHECK(handedOver > 21 * 150 / 4);
   }
 }
 

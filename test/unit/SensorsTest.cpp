@@ -33,6 +33,16 @@ std::string encoded(const Sensor &sensor) {
   return text;
 }
 
+// Returns what a decoder reads of this.
+template <typename Sensor>
+Sensor readBack(const Sensor &sensor) {
+  sbus::SlotData slots[Sensor::Slots];
+  sensor.encode(slots);
+  Sensor back = {};
+  back.decode(slots);
+  return back;
+}
+
 sbus::SlotData dataOf(unsigned word) {
   return {static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word)};
 }
@@ -163,26 +173,17 @@ TEST_CASE("every value in its range comes back from its slots: temperature, curr
   for (int value = -16384; value <= 16383; value++) {
     const auto number = static_cast<int16_t>(value);
     const auto mine = static_cast<uint16_t>(3 * value);
-    sbus::SlotData slots[8];
-    sbus::TemperatureF1713 temperature{number};
-    temperature.encode(slots);
-    temperature.decode(slots);
-    REQUIRE(temperature.degrees == value);
-    sbus::CurrentF1678 current{number, mine, mine};
-    current.encode(slots);
-    current.decode(slots);
+    REQUIRE(readBack(sbus::TemperatureF1713{number}).degrees == value);
+    const sbus::CurrentF1678 current = readBack(sbus::CurrentF1678{number, mine, mine});
     REQUIRE(current.centiamperes == value);
     REQUIRE(current.centivolts == mine);
     REQUIRE(current.milliampereHours == mine);
-    sbus::VarioF1672 vario{static_cast<int16_t>(2 * value), number};
-    vario.encode(slots);
-    vario.decode(slots);
+    const sbus::VarioF1672 vario = readBack(sbus::VarioF1672{static_cast<int16_t>(2 * value), number});
     REQUIRE(vario.centimetresPerSecond == 2 * value);
     REQUIRE(vario.metres == value);
     const int32_t latitude = 3295 * value, longitude = 6591 * value;  // up to 89 and 179 degrees, on both sides
-    sbus::GpsF1675 gps{static_cast<uint16_t>(value & 0x3FFF), value > 0, number, mine, number, latitude, longitude};
-    gps.encode(slots);
-    gps.decode(slots);
+    const sbus::GpsF1675 gps =
+        readBack(sbus::GpsF1675{static_cast<uint16_t>(value & 0x3FFF), value > 0, number, mine, number, latitude, longitude});
     REQUIRE(gps.latitude == latitude);
     REQUIRE(gps.longitude == longitude);
     REQUIRE(gps.kilometresPerHour == (value & 0x3FFF));
@@ -190,19 +191,11 @@ TEST_CASE("every value in its range comes back from its slots: temperature, curr
     REQUIRE(gps.metres == value);
     REQUIRE(gps.decimetresPerSecond == value);
     const auto height = static_cast<int16_t>(value < -8200 ? value + 8192 : value);
-    sbus::GpsSbs01G big{static_cast<uint32_t>(value & 0x1FFFF),
-                        latitude,
-                        longitude,
-                        static_cast<uint16_t>(value & 0x1FF),
-                        value > 0,
-                        static_cast<uint8_t>(value & 3),
-                        static_cast<uint16_t>(value & 0x3FFF),
-                        height,
-                        static_cast<int16_t>((value & 0xFFF) - 1500),
-                        value < 0};
-    const sbus::GpsSbs01G sent = big;
-    big.encode(slots);
-    big.decode(slots);
+    const sbus::GpsSbs01G sent{static_cast<uint32_t>(value & 0x1FFFF), latitude, longitude,
+                               static_cast<uint16_t>(value & 0x1FF), value > 0, static_cast<uint8_t>(value & 3),
+                               static_cast<uint16_t>(value & 0x3FFF), height,
+                               static_cast<int16_t>((value & 0xFFF) - 1500), value < 0};
+    const sbus::GpsSbs01G big = readBack(sent);
     REQUIRE(big.secondsOfDay == sent.secondsOfDay);
     REQUIRE(big.latitude == latitude);
     REQUIRE(big.longitude == longitude);

@@ -1,6 +1,4 @@
 // Arduino.h for the host: declares on a PC what sketches and libraries may expect from the board's core.
-//
-// With HOST_PLAIN_CORE defined it declares a plainer core, such as the AVR's: no SERIAL_SBUS, no read(buffer, size).
 #pragma once
 
 #include <math.h>
@@ -10,9 +8,7 @@
 #include <string.h>
 
 #include "HardwareSerial.h"
-#if !defined(HOST_PLAIN_CORE)
 #include "PinDescription.h"
-#endif
 #include "Uart.h"
 #include "UsbSerial.h"
 #include "WCharacter.h"

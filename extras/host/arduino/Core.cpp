@@ -175,11 +175,9 @@ int Uart::read() {
   return polled().port(_number).uart().read();
 }
 
-#if !defined(HOST_PLAIN_CORE)
 int Uart::read(uint8_t *buffer, size_t size) {
   return polled().port(_number).uart().read(buffer, size);
 }
-#endif
 
 int Uart::availableForWrite() {
   return polled().port(_number).transmitter().availableForWrite();
@@ -207,7 +205,6 @@ void Uart::flush() {
   }
 }
 
-#if !defined(HOST_PLAIN_CORE)
 void Uart::onReceive(void (*callback)()) {
   onReceive(Callback(callback));
 }
@@ -215,7 +212,6 @@ void Uart::onReceive(void (*callback)()) {
 void Uart::onReceive(Callback callback) {
   port().onReceive([callback] { callback.call(); }, callback.listener());
 }
-#endif
 
 UsbSerial Serial;
 
@@ -243,12 +239,10 @@ int UsbSerial::read() {
   return board.input().read(board.clock().nowUs());
 }
 
-#if !defined(HOST_PLAIN_CORE)
 int UsbSerial::read(uint8_t *buffer, size_t size) {
   Board &board = polled();
   return board.input().read(board.clock().nowUs(), buffer, size);
 }
-#endif
 
 size_t UsbSerial::write(uint8_t value) {
   return write(&value, 1);

@@ -12,9 +12,7 @@ class HardwareSerial : public Stream {
   virtual int available() = 0;
   virtual int peek() = 0;
   virtual int read() = 0;
-#if !defined(HOST_PLAIN_CORE)
   virtual int read(uint8_t *buffer, size_t size) = 0;
-#endif
   virtual void flush() = 0;
   virtual size_t write(uint8_t byte) = 0;
   using Print::write;

@@ -61,10 +61,8 @@ class Print {
   size_t println(double number, int digits = 2) { return endLine(print(number, digits)); }
   size_t println(const Printable &value) { return endLine(print(value)); }
 
-#if !defined(HOST_PLAIN_CORE)
   // ESP32, Pico and Teensy have it (espressif/arduino-esp32, cores/esp32/Print.h:69), the Grasshopper and AVR do not.
   size_t printf(const char *format, ...) __attribute__((format(printf, 2, 3)));
-#endif
 
  private:
   size_t printSigned(int32_t number, int base);

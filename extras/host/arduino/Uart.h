@@ -2,17 +2,11 @@
 // (board/BoardPort.h).
 #pragma once
 
-#if !defined(HOST_PLAIN_CORE)
 #include "Callback.h"
-#endif
 #include "HardwareSerial.h"
 
 // The receive buffer's size, under the core's name.
-#if defined(HOST_PLAIN_CORE)
-#define SERIAL_RX_BUFFER_SIZE 64
-#else
 #define UART_RX_BUFFER_SIZE 64
-#endif
 
 namespace host {
 class BoardPort;
@@ -34,11 +28,9 @@ class Uart : public HardwareSerial {
   int available() override;
   int peek() override;
   int read() override;
-#if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override;
-#endif
 
-  // The transmit buffer has 64 places (on a plain core 63). write() waits for free places and returns the number of
+  // The transmit buffer has 64 places. write() waits for free places and returns the number of
   // bytes taken: all, or 0 if the port is closed; in an onReceive() callback it does not wait, and takes what fits. The
   // bytes are sent at the port's rate to --wire and --sent, or nowhere.
   int availableForWrite() override;  // free places; 0 if the port is closed
@@ -50,10 +42,8 @@ class Uart : public HardwareSerial {
 
   // `callback` runs when received bytes have been handed over: once, then again after the next read. On the board this
   // happens at PendSV level, at any moment; here whenever the sketch asks for the time or polls a port.
-#if !defined(HOST_PLAIN_CORE)
   void onReceive(void (*callback)());
   void onReceive(Callback callback);
-#endif
 
  private:
   host::BoardPort &port() const;

@@ -12,9 +12,7 @@ class UsbSerial : public HardwareSerial {
   int available() override;
   int peek() override;
   int read() override;
-#if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override;
-#endif
   int availableForWrite() override { return 256; }  // the board's buffer; here it is always read
   void flush() override {
   }

@@ -65,7 +65,6 @@ int sketch_sprintf(char *text, const char *format, ...) {
   return length;
 }
 
-#if !defined(HOST_PLAIN_CORE)
 size_t Print::printf(const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
@@ -78,4 +77,3 @@ size_t Print::printf(const char *format, ...) {
   va_end(arguments);
   return text.empty() ? 0 : write(text.c_str(), text.size() - 1);
 }
-#endif

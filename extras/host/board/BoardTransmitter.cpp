@@ -29,7 +29,7 @@ size_t BoardTransmitter::write(uint64_t nowUs, const uint8_t *bytes, size_t size
   if (!_open) {
     return 0;
   }
-  const size_t taken = std::min(size, _places - _count);
+  const size_t taken = std::min(size, RingSize - _count);
   for (size_t i = 0; i < taken; i++) {
     _ring[(_first + _count) % RingSize] = bytes[i];
     _count++;
@@ -69,7 +69,7 @@ bool BoardTransmitter::begun(uint64_t nowUs, line::Character &character) {
 }
 
 void BoardTransmitter::beginPacket(uint64_t fromNs) {
-  _packet = std::min({_count, _packetSize, RingSize - _first});
+  _packet = std::min({_count, size_t{PacketSize}, RingSize - _first});
   _sent = 0;
   _begun = 0;
   _packetNs = fromNs;

@@ -12,16 +12,11 @@ namespace host {
 // up to 32, and not across the ring's end. A packet's places become free all at once, when its last character has been
 // sent; on the wire all characters are back to back, even across packets.
 //
-// A plainer core, such as the AVR's, keeps one place of the ring free and has packets of one byte.
-//
 // Time comes in as an argument and must not go backwards.
 class BoardTransmitter {
  public:
   static constexpr size_t RingSize = 64;
   static constexpr size_t PacketSize = 32;
-
-  explicit BoardTransmitter(size_t places = RingSize, size_t packetSize = PacketSize)
-      : _places(places), _packetSize(packetSize) {}
 
   // Opens with an empty ring, for characters of this length. Like close(), loses bytes still in it.
   void open(uint64_t characterNs);
@@ -39,7 +34,7 @@ class BoardTransmitter {
   bool begun(uint64_t nowUs, line::Character &character);
 
   // Returns the free places, as the sketch sees them; 0 if closed.
-  int availableForWrite() const { return _open ? static_cast<int>(_places - _count) : 0; }
+  int availableForWrite() const { return _open ? static_cast<int>(RingSize - _count) : 0; }
 
   // Returns true if all written bytes have been sent.
   bool idle() const { return _count == 0; }
@@ -51,8 +46,6 @@ class BoardTransmitter {
   void beginPacket(uint64_t fromNs);
   uint64_t endUs(size_t characters) const;
 
-  const size_t _places;
-  const size_t _packetSize;
   bool _open = false;
   uint64_t _characterNs = 0;
 

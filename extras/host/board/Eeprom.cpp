@@ -15,14 +15,9 @@ namespace host {
 namespace {
 
 // The size of a write, and the value of an erased byte.
-#if defined(HOST_PLAIN_CORE)
-constexpr size_t WordSize = 1;
-constexpr uint8_t Erased = 0xFF;
-#else
 constexpr size_t WordSize = 4;
 constexpr uint8_t Erased = 0x00;
-#endif
-constexpr uint64_t WordUs = 3300;  // the approximate time to write a word, on the STM32L0 and on the AVR
+constexpr uint64_t WordUs = 3300;  // the approximate time to write a word
 
 std::runtime_error failure(const std::string &file, const char *what) {
   return std::runtime_error(file + ": " + what + " (" + std::strerror(errno) + "); name another file for --eeprom");

@@ -2,22 +2,9 @@
 
 #include <stm32l0_uart.h>
 
-#include "SerialConfig.h"
-
 namespace host {
 
 namespace {
-
-// A plain core's values are plain numbers (see SerialConfig.h); here they are read as bits.
-constexpr uint32_t Format8E2 =
-    STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN | STM32L0_UART_OPTION_STOP_2;
-static_assert(SERIAL_8E2 == Format8E2, "the plain core's numbers must have the bits of stm32l0_uart.h");
-
-#if defined(HOST_PLAIN_CORE)
-constexpr bool HasInverters = true;
-#else
-constexpr bool HasInverters = false;
-#endif
 
 line::Format formatOf(uint32_t config) {
   line::Format format;
@@ -33,7 +20,7 @@ line::Format formatOf(uint32_t config) {
 line::LineSettings pinSettings(unsigned long baud, uint32_t config, uint32_t option) {
   line::LineSettings settings;
   settings.baud = baud;
-  settings.polarity = HasInverters || (config & option) != 0 ? line::Polarity::Inverted : line::Polarity::Uninverted;
+  settings.polarity = (config & option) != 0 ? line::Polarity::Inverted : line::Polarity::Uninverted;
   settings.format = formatOf(config);
   return settings;
 }

@@ -15,8 +15,7 @@ struct PortSettings {
   bool operator==(const PortSettings &other) const { return rx == other.rx && tx == other.tx; }
 };
 
-// Converts the arguments of begin(): `config` has the bits of stm32l0_uart.h. A plain core inverts nothing, so there is
-// an inverter at each of its pins, and both lines are inverted.
+// Converts the arguments of begin(): `config` has the bits of stm32l0_uart.h.
 PortSettings portSettings(unsigned long baud, uint32_t config);
 
 }  // namespace host

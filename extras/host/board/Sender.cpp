@@ -5,21 +5,6 @@
 
 namespace host {
 
-namespace {
-
-#if defined(HOST_PLAIN_CORE)
-constexpr size_t Places = BoardTransmitter::RingSize - 1;
-constexpr size_t PacketSize = 1;
-#else
-constexpr size_t Places = BoardTransmitter::RingSize;
-constexpr size_t PacketSize = BoardTransmitter::PacketSize;
-#endif
-
-}  // namespace
-
-Sender::Sender() : _transmitter(Places, PacketSize) {
-}
-
 void Sender::record(std::unique_ptr<line::RecordingFile> file) {
   _file = std::move(file);
   if (_transmitter.isOpen()) {

@@ -56,59 +56,33 @@ std::vector<int> shown() {
     int low, high;
   };
   std::map<unsigned, Field> fields;  // by page and usage
-  unsigned at = 0, page = 0, first = 0, bits = 0, count = 0, id = 0;
-  int low = 0, high = 0, depth = 0;
+  int page = 0, low = 0, high = 0, bits = 0, count = 0, id = 0, first = 0, depth = 0;
+  const std::map<unsigned, int *> numbers = {{0x04, &page}, {0x14, &low}, {0x24, &high}, {0x74, &bits},
+                                             {0x94, &count}, {0x84, &id}, {0x18, &first}};
+  unsigned at = 0;
   const sim::Bytes &items = usb.descriptor;
   for (size_t i = 0; i < items.size();) {
-    const uint8_t prefix = items[i];
-    const unsigned size = prefix & 3;
-    const unsigned value = size == 0 ? 0 : size == 1 ? items[i + 1] : items[i + 1] | unsigned{items[i + 2]} << 8;
-    const int number = size == 2 ? static_cast<int16_t>(value) : static_cast<int8_t>(value);
+    const unsigned tag = items[i] & 0xFC, size = items[i] & 3;
+    const int number = size == 0   ? 0
+                       : size == 1 ? static_cast<int8_t>(items[i + 1])
+                                   : static_cast<int16_t>(items[i + 1] | items[i + 2] << 8);
     i += 1 + size;
-    switch (prefix & 0xFC) {
-      case 0x04:
-        page = value;
-        break;
-      case 0x14:
-        low = number;
-        break;
-      case 0x24:
-        high = number;
-        break;
-      case 0x74:
-        bits = value;
-        break;
-      case 0x94:
-        count = value;
-        break;
-      case 0x84:
-        id = value;
-        break;
-      case 0x18:
-        first = value;
-        break;
-      case 0x28:
-        CHECK((depth != 1 || value - first + 1 >= 8));
-        break;
-      case 0xA0:
-        depth++;
-        break;
-      case 0xC0:
-        depth--;
-        break;
-      case 0x80:
-        for (unsigned n = 0; n < count; n++, at += bits) {
-          fields[page << 16 | (first + n)] = {at, bits, low, high};
-        }
-        break;
-      default:
-        break;
+    if (numbers.count(tag) != 0) {
+      *numbers.at(tag) = number;
+    } else if (tag == 0x28) {  // the last usage
+      CHECK((depth != 1 || number - first + 1 >= 8));
+    } else if (tag == 0x80) {  // input
+      for (int n = 0; n < count; n++, at += static_cast<unsigned>(bits)) {
+        fields[static_cast<unsigned>(page << 16 | (first + n))] = {at, static_cast<unsigned>(bits), low, high};
+      }
+    } else {
+      depth += (tag == 0xA0) - (tag == 0xC0);  // collections
     }
   }
   const sim::Bytes &report = usb.reports.back();
   CHECK(depth == 0);
   REQUIRE(report.size() == 1 + at / 8);
-  CHECK(report[0] == id);
+  CHECK(int{report[0]} == id);
   const auto read = [&](unsigned usage) {
     const Field &field = fields.at(usage);
     unsigned value = 0;

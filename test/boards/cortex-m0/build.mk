@@ -41,16 +41,12 @@ list-unit:
 link = $(CROSS:%g++=%gcc) $(CPU) -nostartfiles -specs=rdimon.specs -T $(HERE)/microbit.ld -Wl,--gc-sections \
   $(filter %.o %.a,$^) -lm -o $@
 
-# PlainCoreTest lives on the plainer core, all others on the board's.
 $(OUT)/unit/%Test: $(OUT)/unit/%Test.o $(RUNTIME) $(OUT)/board.a $(HERE)/microbit.ld
-	$(link)
-$(OUT)/unit/PlainCoreTest: $(OUT)/unit/PlainCoreTest.o $(RUNTIME) $(OUT)/plain.a $(HERE)/microbit.ld
 	$(link)
 $(OUT)/%Read: $(OUT)/%Read.o $(OUT)/Start.o $(HERE)/microbit.ld
 	$(link)
 
-compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEFINITIONS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
-$(OUT)/unit/PlainCoreTest.o: DEFINITIONS += -DHOST_PLAIN_CORE
+compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
 $(OUT)/unit/%.o: $(TEST)/unit/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(call compile,$(TESTS))
@@ -62,28 +58,24 @@ $(OUT)/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	$(call compile,$(BOARD))
 
 # The library as on the board.
-define archive
-$(OUT)/$1/src/%.o: $(SRC)/%.cpp $(HERE)/build.mk
-	@mkdir -p $$(@D)
-	$$(call compile,$(BOARD) $2)
-$(OUT)/$1/arduino/%.o: $(HOST)/arduino/%.cpp $(HERE)/build.mk
-	@mkdir -p $$(@D)
-	$$(call compile,$(BOARD) $2)
-$(OUT)/$1/host/%.o: $(HOST)/%.cpp $(HERE)/build.mk
-	@mkdir -p $$(@D)
-	$$(call compile,$(TESTS))
-$(OUT)/$1/line/%.o: $(ROOT)/extras/line/%.cpp $(HERE)/build.mk
-	@mkdir -p $$(@D)
-	$$(call compile,$(TESTS))
-$(OUT)/$1/FakeClock.o: $(TEST)/support/FakeClock.cpp $(HERE)/build.mk
-	@mkdir -p $$(@D)
-	$$(call compile,$(BOARD) $2)
-$(OUT)/$1.a: $(LIBRARY:%=$(OUT)/$1/src/%.o) $(OUT)/$1/arduino/Print.o $(ROOMS:%=$(OUT)/$1/%.o) \
-  $(OUT)/$1/FakeClock.o
-	@rm -f $$@
-	arm-none-eabi-ar rcs $$@ $$^
-endef
-$(eval $(call archive,board))
-$(eval $(call archive,plain,-DHOST_PLAIN_CORE))
+$(OUT)/board/src/%.o: $(SRC)/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(BOARD))
+$(OUT)/board/arduino/%.o: $(HOST)/arduino/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(BOARD))
+$(OUT)/board/host/%.o: $(HOST)/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(TESTS))
+$(OUT)/board/line/%.o: $(ROOT)/extras/line/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(TESTS))
+$(OUT)/board/FakeClock.o: $(TEST)/support/FakeClock.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(BOARD))
+$(OUT)/board.a: $(LIBRARY:%=$(OUT)/board/src/%.o) $(OUT)/board/arduino/Print.o $(ROOMS:%=$(OUT)/board/%.o) \
+  $(OUT)/board/FakeClock.o
+	@rm -f $@
+	arm-none-eabi-ar rcs $@ $^
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)
