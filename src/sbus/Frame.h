@@ -121,7 +121,7 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 void unpack(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
 /// Unpacks a frame on a little-endian machine, with its payload (byte 1) aligned to four bytes: a Cortex-M0+ needs 84
-/// instructions instead of unpack()'s 167, and 18 bytes less (`make bench`).
+/// instructions instead of unpack()'s 167 (`make bench`), and 18 bytes less.
 void unpackAligned(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
 /// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.
