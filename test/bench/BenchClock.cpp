@@ -3,6 +3,7 @@
 #include "support/FakeClock.h"
 
 #include <Arduino.h>
+#include <stm32l0_system.h>
 
 uint64_t fakeMicros = 0;
 
@@ -19,3 +20,8 @@ void delayMicroseconds(unsigned us) {
 }
 
 void yield() {}
+
+// Nothing here sleeps.
+void stm32l0_system_register(stm32l0_system_notify_t *, stm32l0_system_callback_t, void *, uint32_t) {}
+
+void stm32l0_system_unregister(stm32l0_system_notify_t *) {}
