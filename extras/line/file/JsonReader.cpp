@@ -257,7 +257,7 @@ std::string JsonReader::line(std::string_view text, std::deque<Character> &chara
     }
   }
   _splitter.put('\n');
-  return {};
+  return _splitter.isTooLong() ? std::string("an object has no end; ") + Expected : "";
 }
 
 std::string JsonReader::finish(std::deque<Character> & /*characters*/) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "line/file/LineReader.h"
+#include "line/file/LineSplitter.h"
 #include "line/LineSettings.h"
 #include "sbus/Scaling.h"
 
@@ -26,6 +27,9 @@ class JsonSplitter {
 
   // Returns true if an object has begun.
   bool isWithin() const { return _depth > 0; }
+
+  // Returns true if an object is too long for any memory: an end is missing.
+  bool isTooLong() const { return _object.size() > TextLineMax; }
 
  private:
   std::string _object;

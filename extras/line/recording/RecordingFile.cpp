@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "line/file/LineSplitter.h"
 #include "line/system/System.h"
 
 namespace line {
@@ -22,8 +23,13 @@ Recording readRecording(const std::string &name, uint32_t characterUs) {
     throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
                              "); the name of a recording is expected");
   }
-  for (std::string line; std::getline(in, line);) {
-    reader.line(line);
+  LineSplitter lines;
+  for (std::string text(65536, '\0'); !lines.atEnd();) {
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    lines.put({text.data(), static_cast<size_t>(in.gcount())});
+    for (std::string line; lines.take(line);) {
+      reader.line(line);
+    }
   }
   if (in.bad()) {
     throw std::runtime_error(name + ": cannot be read");
