@@ -11,7 +11,7 @@
 
 #include "line/Line.h"
 #include "line/ports/PipeAges.h"
-#include "line/capture/TextFile.h"
+#include "line/capture/PackedFile.h"
 #include "line/file/LineReader.h"
 #include "line/file/LineSplitter.h"
 
