@@ -12,7 +12,7 @@
 #include "cli/LoopedLine.h"
 #include "cli/RepeatedFrames.h"
 #include "line/ports/ByteStream.h"
-#include "line/ports/ReopenedPort.h"
+#include "line/ports/Reopened.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RestoredLine.h"

@@ -39,7 +39,15 @@ class CaptureTimes {
 
 class RecordedCapture {
  public:
-  explicit RecordedCapture(const Overrides &overrides = {});
+  // `keepsEdges`: edges() has them; they take as much memory as the characters.
+  explicit RecordedCapture(const Overrides &overrides, bool keepsEdges)
+      : _wire(
+            overrides, [this] { _times.begin(_wire.wire()); },
+            [this](const WireCharacter &character) {
+              recording.characters.push_back(_times.of(character));
+              recording.zeroUs = _times.zeroNs() / 1000;
+            },
+            keepsEdges ? std::function([this](int64_t ns, bool high) { _edges.put(ns, high); }) : nullptr) {}
   RecordedCapture(const RecordedCapture &) = delete;
   RecordedCapture &operator=(const RecordedCapture &) = delete;
 
@@ -47,7 +55,19 @@ class RecordedCapture {
   WireDecoder &wire() { return _wire; }
 
   // Returns, after the end, why it cannot be played; nothing if it can. `name`: the file's.
-  std::string failure(const std::string &name, const CaptureEnd &end) const;
+  std::string failure(const std::string &name, const CaptureEnd &end) const {
+    if (!end.rejection.empty()) {
+      return end.rejection;
+    }
+    if (!end.error.empty()) {
+      return end.error + "; sbus decode -o FILE keeps the part before it";
+    }
+    if (recording.characters.empty()) {
+      return name + ": " + (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));
+    }
+    const std::string slow = tooSlow(end.periodNs, _wire.wire().bitNs);
+    return slow.empty() ? "" : name + ": " + slow + "; sbus decode shows what can be decoded";
+  }
 
   const LineSettings &settings() const { return _wire.wire().settings; }
 

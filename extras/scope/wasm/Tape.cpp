@@ -117,7 +117,7 @@ EXPORT(openFile)(unsigned count)->const char * {
   theTape.startUs = head.startUs;
   reader = line::makeReader(head);
   if (head.kind == line::FileKind::Capture) {
-    capture = std::make_unique<line::RecordedCapture>();
+    capture = std::make_unique<line::RecordedCapture>(line::Overrides{}, true);
     captureText = std::make_unique<line::CaptureText>(name, line::Overrides{}, capture->wire());
   }
   words = head.error.empty() ? "" : name + ": " + head.error;
@@ -131,7 +131,7 @@ EXPORT(sessionMetadata)(unsigned count)->void {
 
 // After the metadata. Returns what is wrong with them, or "".
 EXPORT(openSession)()->const char * {
-  capture = std::make_unique<line::RecordedCapture>();
+  capture = std::make_unique<line::RecordedCapture>(line::Overrides{}, true);
   session = std::make_unique<line::SessionReader>(capture->wire(), 0);
   words = metadata.empty() ? line::SessionReader::NoMetadata : session->metadata(metadata);
   words = words.empty() ? "" : name + ": " + words;
