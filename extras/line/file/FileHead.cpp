@@ -93,13 +93,12 @@ FileKind kindOfText(std::string_view text) {
 }
 
 std::string whyNoCapture(FileKind kind, std::string_view begin) {
-  const bool isOne = kind != FileKind::Recording || isRecording(begin);
-  const char *const what = !isOne                      ? nullptr
-                           : kind == FileKind::Recording ? "a recording of characters"
-                           : kind == FileKind::Bytes   ? "bytes"
-                           : kind == FileKind::Json    ? "JSON lines"
-                           : kind == FileKind::Table   ? "a table of frames"
-                                                       : nullptr;
+  const bool isOne = kind == FileKind::Recording && isRecording(begin);
+  const char *const what = isOne                     ? "a recording of characters"
+                           : kind == FileKind::Bytes ? "bytes"
+                           : kind == FileKind::Json  ? "JSON lines"
+                           : kind == FileKind::Table ? "a table of frames"
+                                                     : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
                                ", not a capture of the wire: sbus hex shows it, sbus wave makes a capture of it";

@@ -52,13 +52,12 @@ JsonHead readJsonHead(std::string_view text);
 
 // An object may span lines. Types other than line, frame, no_frame, slot and character are left out. A frame without a
 // time ends 9 ms after the previous one.
-class JsonReader : public LineReader {
+class JsonReader : public FrameReader {
  public:
-  explicit JsonReader(const LineSettings &settings) : _characterUs(settings.characterUs()) {}
+  explicit JsonReader(const LineSettings &settings) : FrameReader(settings.characterUs()) {}
 
   std::string line(std::string_view text, std::deque<Character> &characters) override;
   std::string finish(std::deque<Character> &characters) override;
-  std::string news() override { return _overlaps.take(); }
   bool isComplete() const override { return _hasEnded; }
 
  private:
@@ -66,11 +65,7 @@ class JsonReader : public LineReader {
   std::string put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
                   std::deque<Character> &characters);
 
-  const uint32_t _characterUs;
   JsonSplitter _splitter;
-  uint64_t _lastUs = 0;
-  bool _any = false;
-  OverlapNews _overlaps;
   bool _hasEnded = false;  // an object of type end came
   sbus::Range _range = sbus::FrSky;
 };
