@@ -142,16 +142,16 @@ $(OUT)/cross/%.o: $(SRC)/%.cpp build.mk
 
 FUZZ := $(call objects,fuzz/*.cpp)
 FUZZ := $(FUZZ:.o=)
-FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,recording/CsvRows.cpp LineSettings.cpp recording/Recording.cpp recording/WallTime.cpp)
+FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,recording/CsvRows.cpp LineSettings.cpp recording/Recording.cpp recording/RecordingReader.cpp recording/WallTime.cpp)
 fuzz: $(FUZZ)
 list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
 # Without what only reads files, for which libarchive would have to be linked.
 $(OUT)/fuzz/WireFuzz: $(filter-out %/PackedFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) \
-  $(addprefix $(EXTRAS)/line/,Decoders.cpp SmoothedLink.cpp uart/Levels.cpp Observer.cpp Segments.cpp Statistics.cpp telemetry/TelemetrySlots.cpp)
+  $(addprefix $(EXTRAS)/line/,Decoders.cpp Observer.cpp Segments.cpp Statistics.cpp telemetry/TelemetrySlots.cpp)
 $(OUT)/fuzz/FileFuzz: $(filter-out %/PackedFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) $(filter-out %/CaptureFile.cpp,$(wildcard $(EXTRAS)/line/file/*.cpp)) \
-  $(addprefix $(EXTRAS)/line/,Decoders.cpp FrameBytes.cpp SmoothedLink.cpp uart/Levels.cpp Observer.cpp recording/PlainText.cpp Segments.cpp Statistics.cpp telemetry/TelemetrySlots.cpp)
+  $(addprefix $(EXTRAS)/line/,Decoders.cpp FrameBytes.cpp Observer.cpp recording/PlainText.cpp Segments.cpp Statistics.cpp telemetry/TelemetrySlots.cpp)
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) $(wildcard support/*.h) build.mk
 	@mkdir -p $(@D)
 	clang++ -std=c++17 $(WARNINGS) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -g -O1 \

@@ -17,7 +17,9 @@ Destination::Destination(const std::string &to, const line::LineSettings &settin
     write(_terminal->name() + "\n");
     flush();
   } else {
-    _port = std::make_unique<line::SendingPort>(to, settings);
+    line::LineSettings wanted = settings;  // of a line with one stop bit: what reads S.Bus may need two
+    wanted.format.stopBits = settings.format.parity == line::Parity::Even ? 2 : settings.format.stopBits;
+    _port = std::make_unique<line::SendingPort>(to, wanted);
   }
 }
 

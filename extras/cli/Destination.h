@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "line/ports/PseudoTerminal.h"
-#include "line/ports/SendingPort.h"
+#include "line/ports/Reopened.h"
 
 namespace tool {
 

@@ -13,7 +13,7 @@ namespace tool {
 namespace {
 
 void readCapture(FileSource &file, const FileName &name, const line::Overrides &overrides) {
-  line::RecordedCapture capture(overrides);
+  line::RecordedCapture capture(overrides, false);
   const std::string failure =
       capture.failure(name.shown, line::readCapture(name.path, name.shown, overrides, capture.wire()));
   if (!failure.empty()) {

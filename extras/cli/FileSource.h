@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "line/capture/Overrides.h"
+#include "line/capture/Capture.h"
 #include "line/capture/WireDecoder.h"
 #include "line/file/FileHead.h"
 #include "line/recording/Recording.h"

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cli/Stop.h"
+#include "line/file/Mangled.h"
 #include "line/file/TableReader.h"
 #include "line/capture/PackedFile.h"
 #include "line/recording/Recording.h"
@@ -143,6 +144,11 @@ bool Pipe::isFileAtOnce() {
     }
   }
   return _ended || _begin.size() >= Most;
+}
+
+bool Pipe::isMangled() {
+  return !_hasRows && isFileAtOnce() &&
+         !line::Mangled(std::string_view(_begin).substr(0, line::FileHeadMax)).what().empty();
 }
 
 // Reads the bytes that arrive within `ms`. Returns false if there were none.

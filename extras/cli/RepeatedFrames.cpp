@@ -67,7 +67,9 @@ void RepeatedFrames::goTo(uint64_t us) {
 void RepeatedFrames::readRow() {
   _newRow.reset();
   for (std::string line; readLine(line);) {
-    const std::string wrong = _lines->isCut() ? _table.cutLine(line) : _table.line(line);
+    const std::string wrong = !_lines->wrong().empty() ? _lines->wrong()
+                              : _lines->isCut()        ? _table.cutLine(line)
+                                                       : _table.line(line);
     if (!wrong.empty()) {
       _failure = _name + ":" + std::to_string(_lines->number()) + ": " + wrong;
       return;

@@ -55,30 +55,6 @@ std::string_view PipeText::read() {
   return {};
 }
 
-void TextLines::read() {
-  const std::string_view more = _input->read();
-  _atEnd = more.empty();
-  _text.erase(0, std::exchange(_at, 0));
-  _text += more;
-}
-
-bool TextLines::take(std::string &line) {
-  const size_t end = _text.find('\n', _at);
-  if (end == std::string::npos && (!_atEnd || _at == _text.size())) {
-    return false;
-  }
-  line = _text.substr(_at, end == std::string::npos ? end : end - _at);
-  _at = end == std::string::npos ? _text.size() : end + 1;
-  _number++;
-  _isCut = end == std::string::npos;
-  return true;
-}
-
-std::string TextLines::takeAll() {
-  std::string all = std::exchange(_text, {}).substr(std::exchange(_at, 0));
-  return all;
-}
-
 std::string emptyPart(int64_t firstUs, int64_t lastUs) {
   return line::format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(firstUs),
                       seconds(lastUs));
@@ -181,7 +157,9 @@ void TextLine::read() {
 
 void TextLine::take(const std::string &line) {
   const size_t from = _waiting.size();
-  const std::string wrong = _lines.isCut() ? _reader->cutLine(line, _waiting) : _reader->line(line, _waiting);
+  const std::string wrong = !_lines.wrong().empty() ? _lines.wrong()
+                            : _lines.isCut()        ? _reader->cutLine(line, _waiting)
+                                                    : _reader->line(line, _waiting);
   const std::string news = _reader->news();
   if (!news.empty()) {
     _news = _name + ":" + std::to_string(_lines.number()) + ": " + news;

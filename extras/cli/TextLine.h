@@ -11,8 +11,9 @@
 
 #include "line/Line.h"
 #include "line/ports/PipeAges.h"
-#include "line/capture/TextFile.h"
+#include "line/capture/PackedFile.h"
 #include "line/file/LineReader.h"
+#include "line/file/LineSplitter.h"
 
 namespace tool {
 
@@ -65,38 +66,20 @@ class PipeText : public TextInput {
   std::string _failure;
 };
 
-// Splits a text that arrives in pieces into lines.
-class TextLines {
+// Splits a source's text into lines.
+class TextLines : public line::LineSplitter {
  public:
   explicit TextLines(std::unique_ptr<TextInput> input) : _input(std::move(input)) {}
 
   bool isReady(int ms) { return _input->isReady(ms); }
 
   // Waits for at least one character.
-  void read();
+  void read() { put(_input->read()); }
 
-  // Takes the next whole line, without its LF; the last line may lack one. Returns false if there is no line yet.
-  bool take(std::string &line);
-
-  // Takes all that was read.
-  std::string takeAll();
-
-  // Returns true if the last line taken had no LF.
-  bool isCut() const { return _isCut; }
-
-  // Returns the number of the last line taken, counted from 1.
-  unsigned long number() const { return _number; }
-
-  bool atEnd() const { return _atEnd; }
   std::string failure() const { return _input->failure(); }
 
  private:
   const std::unique_ptr<TextInput> _input;
-  std::string _text;
-  size_t _at = 0;  // the first character not yet taken
-  unsigned long _number = 0;
-  bool _isCut = false;
-  bool _atEnd = false;
 };
 
 // Returns what is wrong with a part of a file without a character: ": has no characters there; it has ...".

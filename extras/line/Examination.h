@@ -2,6 +2,7 @@
 // decoder counts in the same way, so all three report the same finding for a line.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "line/LineSettings.h"
@@ -13,12 +14,46 @@ namespace line {
 class Examination {
  public:
   // Begins at `nowUs`, in the line's time.
-  void begin(const Observer &observer, uint64_t nowUs);
+  void begin(const Observer &observer, uint64_t nowUs) {
+    _before = observer.counters16();
+    _pulselessBefore = observer.pulseless();
+    _errorsBefore = observer.characterErrors();
+    _beganUs = nowUs;
+  }
 
   // Returns what a port with these settings received from begin() to `nowUs`.
-  sbus::Trial trial(const Observer &observer, const LineSettings &port, uint64_t nowUs) const;
+  sbus::Trial trial(const Observer &observer, const LineSettings &port, uint64_t nowUs) const {
+    const uint64_t ms = (nowUs - std::min(nowUs, _beganUs)) / 1000;
+    sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
+                         static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
+                         difference(observer.counters16(), _before), observer.pulseless() - _pulselessBefore, observer.otherProtocol()};
+    // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line with only such characters
+    // is not silent.
+    if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {
+      trial.counters.discardedBytes = static_cast<uint32_t>(observer.characterErrors() - _errorsBefore);
+    }
+    return trial;
+  }
 
  private:
+  // Returns now - before. Counters lower than before count from 0, since they are the other decoder's.
+  static sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
+    const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
+    subtract(now.frames, before.frames);
+    subtract(now.lostFrames, before.lostFrames);
+    subtract(now.failsafeFrames, before.failsafeFrames);
+    subtract(now.rejectedByEnd, before.rejectedByEnd);
+    subtract(now.rejectedByFlags, before.rejectedByFlags);
+    subtract(now.rejectedByLength, before.rejectedByLength);
+    subtract(now.discardedBytes, before.discardedBytes);
+    subtract(now.resyncs, before.resyncs);
+    subtract(now.overflows, before.overflows);
+    subtract(now.shortfalls, before.shortfalls);
+    subtract(now.extraFrames, before.extraFrames);
+    subtract(now.otherSizeFrames, before.otherSizeFrames);
+    return now;
+  }
+
   sbus::Counters _before{};
   uint32_t _pulselessBefore = 0;
   unsigned long _errorsBefore = 0;

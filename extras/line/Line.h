@@ -68,4 +68,10 @@ class Line {
   virtual std::string note() const { return {}; }
 };
 
+// A silent wire: the receiver has no power, or the wire is broken.
+class SilentLine : public Line {
+ public:
+  bool next(uint64_t, Character &) override { return false; }
+};
+
 }  // namespace line

@@ -12,7 +12,6 @@
 #include "line/recording/RestoredLine.h"
 #include "line/recording/Words.h"
 #include "line/simulation/NoisyLine.h"
-#include "line/simulation/SilentLine.h"
 #include "line/simulation/SimulatedBus.h"
 
 namespace line {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "support/UartPort.h"
-#include "line/recording/Recording.h"
+#include "line/recording/RecordingReader.h"
 
 #include <DecodeSBus.h>
 

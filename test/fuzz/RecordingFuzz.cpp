@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fuzz/Require.h"
-#include "line/recording/Recording.h"
+#include "line/recording/RecordingReader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

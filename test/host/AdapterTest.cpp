@@ -11,7 +11,7 @@
 #include "impairment/ImpairedLine.h"
 #include "impairment/Settings.h"
 #include "line/recording/RecordedLine.h"
-#include "line/recording/Recording.h"
+#include "line/recording/RecordingReader.h"
 #include "line/recording/RestoredLine.h"
 #include "sbus/ExtraFrame.h"
 #include "support/AdapterProgram.h"

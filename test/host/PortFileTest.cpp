@@ -9,7 +9,7 @@
 
 #include "line/ports/PortFile.h"
 #include "line/ports/PseudoTerminal.h"
-#include "line/ports/SendingPort.h"
+#include "line/ports/Reopened.h"
 
 // libserialport 0.1.2, serialport.c: sp_free_port() frees memory and leaves the file open; only sp_close() closes it,
 // and returns an error for a port that is not open.

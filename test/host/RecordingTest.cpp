@@ -2,31 +2,24 @@
 #include <doctest/doctest.h>
 
 #include "line/recording/CsvRows.h"
-#include "line/recording/Recording.h"
+#include "line/recording/RecordingReader.h"
 #include "line/recording/RecordingWriter.h"
 
 using line::Recording;
-using line::RecordingReader;
 
 namespace {
 
 const std::string Mark = "\xEF\xBB\xBF";
 
-Recording readRows(const std::vector<std::string> &lines) {
-  RecordingReader reader(line::csvSettings().characterUs(), true);
-  for (const std::string &text : lines) {
-    reader.line(text);
-  }
-  return reader.finish();
-}
-
 // Returns when each row was complete.
-std::vector<uint64_t> rowEnds(const Recording &recording) {
+std::vector<uint64_t> rowEnds(const std::vector<std::string> &rows) {
+  line::RowsReader reader(line::csvSettings().characterUs());
+  std::deque<line::Character> characters;
   std::vector<uint64_t> ends;
-  for (const line::Character character : recording.characters) {
-    if (character.value == '\n') {
-      ends.push_back(character.endUs);
-    }
+  for (const std::string &text : rows) {
+    CHECK(reader.line(text, characters).empty());
+    CHECK(characters.back().value == '\n');
+    ends.push_back(characters.back().endUs);
   }
   return ends;
 }
@@ -66,6 +59,11 @@ TEST_CASE("a board's line may have any baud rate") {
   CHECK(line::settingsIn("# 9600 baud, 8N1\n").format == line::csvSettings().format);
   CHECK(line::settingsIn("# 115200 baud, 8N1\n") == line::csvSettings());
   CHECK(line::settingsIn("# 9600 baud, 8E2\n") == line::LineSettings());
+  line::LineSettings oneStopBit;
+  oneStopBit.format.stopBits = 1;
+  CHECK(line::settingsIn("# 100000 baud, 8E1, inverted\n") == oneStopBit);
+  CHECK(line::parseRecording("120 0F\n230 E0\n", oneStopBit.characterUs()).error == "");
+  CHECK(line::parseRecording("120 0F\n230 E0\n").errorLine == 2);
 }
 
 TEST_CASE("a table of rows is distinguished from a recording") {
@@ -78,10 +76,10 @@ TEST_CASE("a table of rows is distinguished from a recording") {
 }
 
 TEST_CASE("rows without times come five times a second, rows with times at those") {
-  CHECK(rowEnds(readRows({"1,2", "3,4"})) == std::vector<uint64_t>{200000 + 3 * 86, 400000 + 3 * 86});
-  CHECK(rowEnds(readRows({"seconds,CH1,CH2", "0.009000,992,1811", "0.018500,992,172", "3600.000001,1,2"})) ==
+  CHECK(rowEnds({"1,2", "3,4"}) == std::vector<uint64_t>{200000 + 3 * 86, 400000 + 3 * 86});
+  CHECK(rowEnds({"seconds,CH1,CH2", "0.009000,992,1811", "0.018500,992,172", "3600.000001,1,2"}) ==
         std::vector<uint64_t>{8, 9000, 18500, 3600000001});
-  CHECK(rowEnds(readRows({"time,CH1", "0.009,992", "0.008,993", "-1,994", "x,995"})) ==
+  CHECK(rowEnds({"time,CH1", "0.009,992", "0.008,993", "-1,994", "x,995"}) ==
         std::vector<uint64_t>{4, 9000, 9004, 9008, 9012});  // never back
 }
 

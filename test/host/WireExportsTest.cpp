@@ -192,7 +192,7 @@ TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal di
       {noRate, "2: does not say when its samples were taken: --sample-rate is expected"},
       {replaced(bits, "with 2/8", "with 0/8"),
        "2: there are no signals: \"Acquisition with 1/8 channels\" or more is expected"},
-      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4: is longer than a year: is its rate right?"},
+      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4: is longer than a year: is its sample rate right?"},
       {begin + "CLK:0101\n", "3: the samples of 2 signals are expected, but only those of 1 came"},
       {begin + "CLK:01\nRX:011\n", "4: there are 3 samples: as many as above, 2, are expected"},
       {begin + "CLK:0\nRX:1\nRX:1\n", "5: \"RX\" is found where samples of \"CLK\" are expected"},
@@ -259,7 +259,7 @@ TEST_CASE("a session of sigrok that cannot be decoded: the message has what is w
       {replaced(replaced(metadata, "probe1=", "probe9="), "probe2=", "probe10="),
        "has more probes than fit into its unitsize of 1"},
       {replaced(metadata, "1 MHz", "0 Hz"), "does not say when its samples were taken: --sample-rate is expected"},
-      {replaced(metadata, "1 MHz", "0.000000001 Hz"), "is longer than a year: is its samplerate right?"},
+      {replaced(metadata, "1 MHz", "0.000000001 Hz"), "is longer than a year: is its sample rate right?"},
   };
   for (const auto &row : rows) {
     INFO(row.metadata);

@@ -83,6 +83,28 @@ TEST_CASE(
   CHECK(Decoded(vcdOf(few, more)).others == std::vector<std::string>{"A"});
 }
 
+TEST_CASE("a sender with one stop bit is read, and named: 8E1") {
+  for (const unsigned stopBits : {1u, 2u}) {
+    for (const double bitNs : {9750.0, 10000.0, 5125.0}) {
+      for (const bool inverted : {true, false}) {
+        CAPTURE(stopBits);
+        TestWire wire;
+        wire.stopBits = stopBits;
+        wire.bitNs = bitNs;
+        wire.inverted = inverted;
+        for (int i = 0; i < 5; i++) {
+          wire.bytes(Neutral.bytes);
+          wire.gap(4000000);
+        }
+        const Decoded decoded(textOf(wire, TestFormat::Vcd));
+        CHECK(decoded.wire.frames == 5);
+        CHECK(decoded.wire.settings.format.stopBits == stopBits);
+        CHECK(holds(text(decoded.wire.settings), stopBits == 1 ? "baud, 8E1" : "baud, 8E2"));
+      }
+    }
+  }
+}
+
 TEST_CASE("options overrule what was found") {
   const std::string samples = sampled(wireOf(), 1000);
   const std::string noRate = samples.substr(samples.find('\n') + 1);

@@ -12,13 +12,14 @@
 struct TestWire {
   double bitNs = 10000;
   bool inverted = true;
+  unsigned stopBits = 2;
   double ns = 2000000;        // its end
   std::vector<double> edges;  // the first one leaves idle, the next one goes back, and so on
 
-  // Adds 12 bits: a start bit, then `bits`, least significant first. Active is false.
+  // Adds a start bit, 9 of `bits` and those that stop, least significant first. Active is false.
   void character(unsigned bits) {
     bool active = false;
-    for (unsigned i = 0; i < 12; i++, ns += bitNs) {
+    for (unsigned i = 0; i < 10 + stopBits; i++, ns += bitNs) {
       const bool is = i == 0 || (bits >> (i - 1) & 1) == 0;
       if (is != active) {
         edges.push_back(ns);
@@ -30,7 +31,7 @@ struct TestWire {
     }
   }
 
-  // Adds a valid character: 8 data bits, even parity, two stop bits.
+  // Adds a valid character: 8 data bits, even parity and the stop bits.
   void byte(uint8_t value) {
     unsigned ones = 0;
     for (unsigned i = 0; i < 8; i++) {

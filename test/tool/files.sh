@@ -99,6 +99,38 @@ verdict $? "bytes without times may include one with an error"
 [ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 discarded bytes' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"
 verdict $? "doctor prints no times for bytes without times"
 
+# What another program did to bytes is undone, or named, in a file and in a pipe.
+for i in 1 2 3 4; do
+  # shellcheck disable=SC2059  # the frame has no %
+  printf "$octal\017\001\002\003\012\001\012\003\004\005\006\007\001\002\003\004\005\006\007\001\002\003\004\000\000"
+done >"$work/good.bin"
+iconv -f latin1 -t utf-8 "$work/good.bin" >"$work/utf8.bin"
+awk 1 ORS='\r\n' "$work/good.bin" | head -c -2 >"$work/crlf.bin"
+"$SBUS" hex "$work/good.bin" >"$work/wanted" 2>"$work/err"
+"$SBUS" record "$work/good.bin" -o - 2>"$work/err" | bytes /dev/stdin >"$work/good.hex"
+for damage in utf8:UTF-8 crlf:0D; do
+  for way in hex 'hex --simulated-time' 'record -o -'; do
+    # shellcheck disable=SC2002,SC2086  # a pipe, not a file; the options are words
+    cat "$work/${damage%:*}.bin" | "$SBUS" ${way%% *} - ${way#"${way%% *}"} 2>"$work/err" >"$work/out"
+    case $way in
+      hex*) cmp "$work/out" "$work/wanted" ;;
+      *) bytes "$work/out" | cmp - "$work/good.hex" ;;
+    esac && grep -q "^-: bytes without times: .*; .*${damage#*:}.*, which is undone" "$work/err"
+    verdict $? "$way of a pipe undoes $damage like a file"
+  done
+done
+
+# A line without an end is named, after what was good before it, and does not fill the memory.
+{ cat recordings/paper.txt; head -c 40000000 /dev/zero | tr '\0' 7; } >"$work/endless.txt"
+lines=$(wc -l <recordings/paper.txt)
+"$SBUS" hex recordings/paper.txt >"$work/wanted"
+for source in "$work/endless.txt" -; do
+  (ulimit -v 200000; "$SBUS" hex "$source" <"$work/endless.txt" >"$work/out" 2>"$work/err")
+  [ $? -eq 1 ] && cmp "$work/out" "$work/wanted" &&
+    grep -qxF "sbus hex: $source:$((lines + 1)): the line is longer than 16777216 characters: line ends are expected" "$work/err"
+  verdict $? "a line of 40000000 characters is named with its place: $(cat "$work/err")"
+done
+
 # rejected NAME MESSAGE: standard input is a file of another kind
 rejected() {
   cat >"$work/$1"

@@ -12,7 +12,7 @@
 #include "cli/LoopedLine.h"
 #include "cli/RepeatedFrames.h"
 #include "line/ports/ByteStream.h"
-#include "line/ports/ReopenedPort.h"
+#include "line/ports/Reopened.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RestoredLine.h"
@@ -152,7 +152,8 @@ void SourceOption::openPipe(Parsed &parsed) const {
   const auto start = std::chrono::steady_clock::now();
   _startUs = wallUs();
   _pipe = std::make_shared<Pipe>(parsed.name);
-  const Pipe::Content content = _given.asRows.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
+  Pipe::Content content = _given.asRows.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
+  content = content == Pipe::Content::Line && !_given.asRows.given() && _pipe->isMangled() ? Pipe::Content::File : content;
   _isLiveText = content == Pipe::Content::Text && _given.playback != Playback::Repeatable;
   const bool hasPace = content == Pipe::Content::Line || (_isLiveText && _given.playback == Playback::RealTime);
   _isAtOnce = hasPace && !_given.simulatedTime.given() && _pipe->isFileAtOnce();

@@ -17,7 +17,7 @@
 #include "cli/options/PartOption.h"
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
-#include "line/capture/CaptureTimes.h"
+#include "line/capture/RecordedCapture.h"
 #include "line/recording/RecordingWriter.h"
 #include "line/system/System.h"
 

@@ -5,7 +5,7 @@
 
 #include "line/ports/SerialPort.h"
 #include "line/recording/RestoredLine.h"
-#include "line/simulation/SilentLine.h"
+#include "line/Line.h"
 
 namespace host {
 

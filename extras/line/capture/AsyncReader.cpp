@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line/capture/CsvFields.h"
 #include "line/capture/Parsing.h"
 #include "line/uart/Levels.h"
 
@@ -31,7 +30,7 @@ AsyncReader::Columns AsyncReader::columnsOf(std::string_view title) {
   const struct {
     std::string_view name;
     size_t &column;
-  } rows[] = {{"name", columns.name},     {"type", columns.type},           {"start_time", columns.time},
+  } rows[] = {{"name", columns.name},     {"type", columns.type},           {"start_time", columns.time.column},
               {"data", columns.value},    {"value", columns.value},
               {"error", columns.error},   {"parity error", columns.parity}, {"framing error", columns.framing}};
   for (size_t i = 0; i < fields.size(); i++) {
@@ -41,8 +40,8 @@ AsyncReader::Columns AsyncReader::columnsOf(std::string_view title) {
       }
     }
     if (lower(fields[i]).rfind("time", 0) == 0) {
-      columns.time = i;
-      columns.unitNs = unitOf(fields[i]);
+      columns.time.column = i;
+      columns.time.unitNs = unitOf(fields[i]);
     }
     // DSView: "Id,Time[ns],0:UART: RX/TX"
     if (columns.value == None && hasWord(fields[i], {"uart"})) {
@@ -57,7 +56,7 @@ bool AsyncReader::isHead(std::string_view head) {
   const Columns columns = columnsOf(takeLine(head));
   const bool isLogic1 = columns.parity != None && columns.framing != None;
   const bool isLogic2 = columns.name != None && columns.type != None;
-  return columns.time != None && columns.value != None && (isLogic1 || isLogic2 || columns.isDsView);
+  return columns.time.column != None && columns.value != None && (isLogic1 || isLogic2 || columns.isDsView);
 }
 
 AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long baud)
@@ -87,7 +86,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
     settings.baud = row.ns - before[row.analyser] < FastNs ? 2 * sbus::Baud : settings.baud;
     before[row.analyser] = row.ns;
   }
-  _zeroNs = INT64_MIN;  // read() set it for the head
+  _columns.time.zeroNs = INT64_MIN;  // read() set it for the head
   _bitNs = baud > 0 ? 1e9 / static_cast<double>(baud) : static_cast<double>(settings.bitNs());
   _wires.resize(_analysers.size());
   _sink.fromCharacters();
@@ -120,18 +119,9 @@ std::string AsyncReader::read(std::string_view line, Row &row) {
     return quoted(name) + " has no row among the first ones: a table of one analyser is expected";
   }
   row.analyser = static_cast<size_t>(analyser - _analysers.begin());
-  const std::string_view time = _fields[_columns.time];
-  int64_t timestampNs;
-  if (parseNumber(time, row.ns)) {
-    row.ns *= _columns.unitNs;
-  } else if (parseTimestamp(time, timestampNs)) {
-    _zeroNs = _zeroNs == INT64_MIN ? timestampNs : _zeroNs;
-    row.ns = static_cast<double>(timestampNs - _zeroNs);
-  } else {
-    return quoted(time) + " is not a time: a number is expected in column " + std::to_string(_columns.time + 1);
-  }
-  if (!(std::abs(row.ns) <= static_cast<double>(CaptureTimeMaxNs))) {
-    return "a time is beyond a year: is its unit right?";
+  const std::string wrong = _columns.time.read(_fields, row.ns);
+  if (!wrong.empty()) {
+    return wrong;
   }
   const std::string_view value = _fields[_columns.value];
   if (!parseByte(value, _columns.isDsView ? 16 : 10, row.value)) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "line/capture/Capture.h"
+#include "line/capture/CsvLayout.h"
 
 namespace line {
 
@@ -23,7 +24,7 @@ class AsyncReader : public CaptureReader {
   }
 
  private:
-  static constexpr size_t None = SIZE_MAX;
+  static constexpr size_t None = TimeColumn::None;
 
   struct Row {
     bool isData = false;
@@ -38,9 +39,9 @@ class AsyncReader : public CaptureReader {
     int64_t changedNs = 0;
   };
   struct Columns {
-    size_t name = None, type = None, time = None, value = None, error = None, parity = None, framing = None;
+    size_t name = None, type = None, value = None, error = None, parity = None, framing = None;
     size_t count = 0;
-    double unitNs = 1e9;    // of the times
+    TimeColumn time;
     bool isDsView = false;  // bytes in hexadecimal, without a name
   };
   static Columns columnsOf(std::string_view title);
@@ -48,11 +49,10 @@ class AsyncReader : public CaptureReader {
   std::string read(std::string_view line, Row &row);
   std::string tell(const Row &row);
 
-  const Columns _columns;
+  Columns _columns;
   std::vector<std::string> _analysers;
   std::vector<Wire> _wires;  // of the analysers
-  std::vector<std::string_view> _fields;
-  int64_t _zeroNs = INT64_MIN;  // times count from here, the first timestamp
+  Fields _fields;
   double _bitNs = 0;
 };
 

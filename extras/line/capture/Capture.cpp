@@ -1,10 +1,11 @@
 #include "line/capture/Capture.h"
 
+#include <cmath>
+
 #include "line/capture/AsyncReader.h"
-#include "line/capture/BitsReader.h"
 #include "line/capture/CsvReader.h"
 #include "line/capture/Parsing.h"
-#include "line/capture/SigrokTextReader.h"
+#include "line/capture/SampleReaders.h"
 #include "line/capture/VcdReader.h"
 
 namespace line {
@@ -29,6 +30,26 @@ bool isBits(std::string_view head) {
 }
 
 }  // namespace
+
+std::string CaptureReader::nextSample(double periodNs) {
+  const double ns = static_cast<double>(_samples) * periodNs;
+  if (ns > static_cast<double>(CaptureTimeMaxNs)) {
+    return "is longer than a year: is its sample rate right?";
+  }
+  _samples++;
+  _endNs = std::llround(ns);
+  return {};
+}
+
+void CaptureReader::tell(size_t signal, bool high) {
+  if (signal >= _told.size()) {
+    _told.resize(signal + 1, 'x');
+  }
+  if (_told[signal] != (high ? '1' : '0')) {
+    _told[signal] = high ? '1' : '0';
+    _sink.level(signal, _endNs, high);
+  }
+}
 
 OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrides &overrides) {
   OpenedCapture opened;

@@ -4,17 +4,27 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "line/capture/Overrides.h"
+#include "line/LineSettings.h"
 
 namespace line {
 
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: later times are a mistake
 constexpr size_t SignalsMax = 4096;                                          // in a capture
 constexpr size_t CaptureHeadMax = 65536;                                     // characters; they must show the format
+
+// Options that overrule a capture's own information.
+struct Overrides {
+  std::string signal;                    // the only signal to decode; empty: all
+  unsigned long baud = 0;                // 0: 100000 or 200000, whichever fits
+  Polarity polarity = Polarity::Either;  // Either: whichever fits
+  double periodNs = 0;                   // between two samples; 0: the capture's own
+  std::optional<double> threshold;       // for voltages, in the capture's unit; nothing: detected
+};
 
 // Receives levels from a reader.
 class LevelSink {
@@ -60,10 +70,20 @@ class CaptureReader {
   double periodNs() const { return _periodNs; }
 
  protected:
+  // Sets _endNs to the time of the next sample of a fixed rate. Returns what is wrong, or nothing.
+  std::string nextSample(double periodNs);
+
+  // Passes a signal's level at _endNs on, unless the signal has it already.
+  void tell(size_t signal, bool high);
+
   LevelSink &_sink;
   uint64_t _lines = 0;
   int64_t _endNs = 0;
   double _periodNs = 0;
+  uint64_t _samples = 0;  // by nextSample()
+
+ private:
+  std::string _told;  // by signal: 0, 1 or x
 };
 
 // The reader of a capture, or why it cannot be read.
@@ -71,6 +91,7 @@ struct OpenedCapture {
   std::unique_ptr<CaptureReader> reader;
   std::string error;
 };
+
 // Recognises the format of a capture. `head` is its first CaptureHeadMax characters, or all of it; the reader must get
 // them afterwards.
 OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrides &overrides = {});

@@ -10,7 +10,72 @@ namespace line {
 
 namespace {
 
-constexpr size_t RowsMax = 2000;  // rows of the head to examine
+constexpr size_t RowsMax = 2000;                 // rows of the head to examine
+constexpr std::string_view Separators = ";\t,";  // with another separator, a comma is a decimal point
+
+// Where instruments write what their rows do not hold: in a comment; in the field beside a name; behind "name ="; in the
+// field below a title.
+enum class Place { Comment, Beside, Equals, Below };
+enum class What { Rate, Period, Start, Names };
+constexpr struct {
+  Place place;
+  std::string_view name;
+  What what;
+} Facts[] = {
+    {Place::Comment, "samplerate", What::Rate},    // PulseView: "; Samplerate: 1 MHz"
+    {Place::Comment, "sample rate", What::Rate},   // DSView, WaveForms
+    {Place::Comment, "channels (", What::Names},   // PulseView, DSView: "; Channels (2/8): D0, D1"
+    {Place::Beside, "interval", What::Period},     // OWON: "Time interval:,0.50000us"; Tektronix
+    {Place::Equals, "t0", What::Start},            // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
+    {Place::Equals, "tinc", What::Period},
+    {Place::Below, "start", What::Start},          // Rigol DS1000Z: "X,CH1,Start,Increment"
+    {Place::Below, "increment", What::Period},
+};
+
+bool isLogic(std::string_view field) {
+  return field.size() == 1 && std::string_view("01xXzZ").find(field.front()) != std::string_view::npos;
+}
+
+bool isNumber(std::string_view field) {
+  double value;
+  return parseNumber(field, value);
+}
+
+bool isValue(std::string_view field) {
+  const char *at = field.data();
+  double volts;
+  int64_t ns;
+  return field.empty() || isLogic(field) || parseTimestamp(field, ns) ||
+         (takeVoltage(at, field.data() + field.size(), volts) && at == field.data() + field.size());
+}
+
+bool isRow(const Fields &fields) {
+  return std::all_of(fields.begin(), fields.end(), isValue) && std::any_of(fields.begin(), fields.end(), isNumber);
+}
+
+// A single # is a column's title.
+bool isComment(std::string_view line) {
+  const bool isAlone = line.size() > 1 && Separators.find(line[1]) != std::string_view::npos;
+  const bool isHantek = line.substr(0, 2) == ",#";
+  return isHantek || (!line.empty() && (line.front() == ';' || (line.front() == '#' && !isAlone)));
+}
+
+// Returns true for a unit, as oscilloscopes write it below a channel's name.
+bool isUnit(std::string_view field) {
+  return field.empty() || hasWord(field, {"sequence", "s", "second", "ms", "us", "ns", "v", "mv", "volt", "volts"});
+}
+
+// Returns true for names. All but the first may be numbers of channels.
+bool areTitles(const Fields &fields) {
+  return !fields.empty() && !isNumber(fields.front()) &&
+         std::all_of(fields.begin(), fields.end(), [](std::string_view field) {
+           return !isNumber(field) || (field.size() <= 2 && std::all_of(field.begin(), field.end(), isDigit));
+         });
+}
+
+bool isTime(std::string_view title) {
+  return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
+}
 
 // The lines before the rows.
 struct Header {
@@ -21,110 +86,99 @@ struct Header {
   double periodNs = 0;
   std::string program;  // "PulseView" or "DSView"; empty: another program
 
-  void comment(std::string_view line);
-  void row(const Fields &fields);
+  // Takes what is called so at this place. Returns true if it is a fact.
+  bool take(Place place, std::string_view name, std::string_view value) {
+    const std::string small = lower(name);
+    for (const auto &fact : Facts) {
+      if (fact.place != place || small.find(fact.name) == std::string::npos) {
+        continue;
+      }
+      const char *at = value.data(), *const end = at + value.size();
+      double number = 0;
+      if (fact.what == What::Rate) {
+        periodNs = periodOf(value);
+      } else if (fact.what == What::Names) {
+        Fields fields;
+        splitRow(value, ',', fields);
+        names.assign(fields.begin(), fields.end());
+      } else if (takeNumber(at, end, number) && isUnit({at, static_cast<size_t>(end - at)})) {
+        double &ns = fact.what == What::Start ? startNs : periodNs;
+        ns = fact.what == What::Start || number > 0 ? number * unitOf(value) : ns;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void comment(std::string_view line) {
+    const std::string small = lower(line);
+    // DSView is derived from sigrok, and its header says so up to version 1.1; its times are in seconds.
+    const bool isDsView = small.find("dsview") != std::string::npos || small.find("sigrok4dsl") != std::string::npos;
+    program = isDsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
+    const size_t colon = line.find(": ");
+    if (colon != std::string_view::npos) {
+      take(Place::Comment, line.substr(0, colon), line.substr(colon + 2));
+    }
+  }
+
+  void row(const Fields &fields) {
+    for (size_t i = 1; i < fields.size() && !take(Place::Beside, fields.front(), fields[i]); i++) {
+    }
+    for (const std::string_view field : fields) {
+      const size_t equals = std::min(field.find('='), field.size());
+      take(Place::Equals, field.substr(0, equals), trimmed(field.substr(std::min(equals + 1, field.size()))));
+    }
+    const bool inBrackets = !fields.empty() && fields.front().substr(0, 1) == "(";
+    const bool areUnits = fields.size() == titles.size() && std::all_of(fields.begin(), fields.end(), isUnit);
+    if (!titles.empty() && (inBrackets || areUnits)) {
+      units.assign(fields.begin(), fields.end());
+    } else if (areTitles(fields)) {
+      titles.assign(fields.begin(), fields.end());
+      units.clear();
+    } else {
+      for (size_t i = 0; i < titles.size() && i < fields.size(); i++) {
+        take(Place::Below, titles[i], fields[i]);
+      }
+    }
+  }
+
+  // Returns a column's title and unit.
+  std::string title(size_t column) const {
+    return (column < titles.size() ? titles[column] : "") + " " + (column < units.size() ? units[column] : "");
+  }
+
+  // Keysight: before its first sample, a row has a time alone.
+  bool isTimeAlone(const Fields &fields) const {
+    return titles.size() > 1 && !units.empty() && isTime(units.front()) && isRow(fields) &&
+           std::all_of(fields.begin() + 1, fields.end(), [](std::string_view each) { return each.empty(); });
+  }
 };
-
-// "; Samplerate: 1 MHz", "; Channels (2/8): D0, D1"
-void Header::comment(std::string_view line) {
-  const std::string small = lower(line);
-  // DSView is derived from sigrok, and its header says so up to version 1.1; its times are in seconds.
-  const bool dsView = small.find("dsview") != std::string::npos || small.find("sigrok4dsl") != std::string::npos;
-  program = dsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
-  const size_t colon = line.find(": ");
-  if (colon == std::string_view::npos) {
-    return;
-  }
-  const std::string_view value = line.substr(colon + 2);
-  if (small.find("samplerate:") != std::string::npos || small.find("sample rate:") != std::string::npos) {
-    periodNs = periodOf(value);
-  } else if (small.find("channels (") != std::string::npos) {
-    Fields fields;
-    splitRow(value, ',', fields);
-    names.assign(fields.begin(), fields.end());
-  }
-}
-
-void Header::row(const Fields &fields) {
-  // OWON writes the time between two rows next to "Time interval".
-  for (size_t i = 1; i < fields.size() && hasWord(fields.front(), {"interval"}); i++) {
-    const char *at = fields[i].data();
-    double value;
-    if (takeNumber(at, at + fields[i].size(), value) && value > 0) {
-      periodNs = value * unitOf(fields[i]);
-      break;
-    }
-  }
-  // Rigol's DHO writes them next to the channel's name: "t0 =-5.0e-04", "tInc =1.0e-06".
-  for (const std::string_view field : fields) {
-    const size_t equals = field.find('=');
-    double seconds;
-    if (equals != std::string_view::npos && parseNumber(trimmed(field.substr(equals + 1)), seconds)) {
-      const std::string name = lower(trimmed(field.substr(0, equals)));
-      startNs = name == "t0" ? seconds * 1e9 : startNs;
-      periodNs = name == "tinc" && seconds > 0 ? seconds * 1e9 : periodNs;
-    }
-  }
-  const bool inBrackets = !fields.empty() && fields.front().substr(0, 1) == "(";
-  if (!titles.empty() &&
-      (inBrackets || (fields.size() == titles.size() && std::all_of(fields.begin(), fields.end(), isUnit)))) {
-    units.assign(fields.begin(), fields.end());
-    return;
-  }
-  if (isTitles(fields)) {
-    titles.assign(fields.begin(), fields.end());
-    units.clear();
-    return;
-  }
-  // Rigol writes the first row's time and the time between two rows under "Start" and "Increment".
-  for (size_t i = 0; i < titles.size() && i < fields.size(); i++) {
-    double seconds;
-    if (parseNumber(fields[i], seconds)) {
-      startNs = hasWord(titles[i], {"start"}) ? seconds * 1e9 : startNs;
-      periodNs = hasWord(titles[i], {"increment"}) && seconds > 0 ? seconds * 1e9 : periodNs;
-    }
-  }
-}
-
-bool isTime(std::string_view title) {
-  return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
-}
 
 // Finds the first rows, and reads the lines before them. All rows have the same number of fields; it needs two rows, if
 // the file has two.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
-  uint64_t lines = 0;
-  while (!head.empty() && rows.size() < RowsMax) {
+  for (uint64_t lines = 0; !head.empty() && rows.size() < RowsMax; lines++) {
     const std::string_view line = takeLine(head);
     Fields fields;
     splitRow(line, layout.separator, fields);
-    // Keysight: before its first sample, a row has a time alone.
-    const bool isAlone = rows.empty() && !fields.empty() && header.titles.size() > 1 && !header.units.empty() &&
-                         isTime(header.units.front()) && isRow(fields) &&
-                         std::all_of(fields.begin() + 1, fields.end(), [](std::string_view each) { return each.empty(); });
-    if (fields.empty() || isAlone) {
-      lines++;
+    if (fields.empty() || (rows.empty() && header.isTimeAlone(fields))) {
       continue;
     }
     const bool isOne = !isComment(line) && isRow(fields);
-    const bool fits = isOne && (rows.empty() || fields.size() == rows.front().size());
-    if (rows.size() > 1 && !fits) {
-      break;
-    }
-    if (rows.size() == 1 && !fits) {
+    if (!rows.empty() && !(isOne && fields.size() == rows.front().size())) {
+      if (rows.size() > 1) {
+        break;
+      }
       header.row(rows.front());
       rows.clear();
     }
     if (isOne) {
       layout.headLines = rows.empty() ? lines : layout.headLines;
       rows.push_back(fields);
-    } else if (isComment(line)) {
-      header.comment(line);
     } else {
-      header.row(fields);
+      isComment(line) ? header.comment(line) : header.row(fields);
     }
-    lines++;
   }
   return rows;
 }
@@ -181,84 +235,122 @@ double sigrokUnitNs(double periodNs) {
 
 }  // namespace
 
-bool CsvLayout::timeOf(std::string_view field, double &ns) const {
+bool hasWord(std::string_view text, std::initializer_list<std::string_view> words) {
+  std::string word;
+  for (const char c : lower(text) + ' ') {
+    if (c >= 'a' && c <= 'z') {
+      word += c;
+    } else if (!isAscii(c)) {
+      word = "u";
+    } else if (std::find(words.begin(), words.end(), word) != words.end()) {
+      return true;
+    } else {
+      word.clear();
+    }
+  }
+  return false;
+}
+
+double unitOf(std::string_view title) {
+  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})     ? 1
+         : hasWord(title, {"us", "microsecond", "microseconds"}) ? 1e3
+         : hasWord(title, {"ms", "millisecond", "milliseconds"}) ? 1e6
+                                                                 : 1e9;
+}
+
+void splitRow(std::string_view row, char separator, Fields &fields) {
+  fields.clear();
+  while (!row.empty()) {
+    const size_t size = row.find(separator);
+    fields.push_back(trimmed(row.substr(0, size)));
+    row.remove_prefix(size == std::string_view::npos ? row.size() : size + 1);
+  }
+}
+
+bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark) {
+  if (takeNumber(at, end, volts, decimalMark)) {
+    return true;
+  }
+  const bool isNegative = at < end && *at == '-';
+  const char *const sign = at + isNegative;
+  const char *const behind = std::find_if(sign, end, isAscii);
+  at = behind == sign ? at : behind;
+  volts = isNegative ? -HUGE_VAL : HUGE_VAL;
+  return behind != sign;
+}
+
+std::string TimeColumn::read(const Fields &fields, double &ns) {
+  const std::string_view field = column < fields.size() ? fields[column] : "";
   int64_t timestampNs;
   if (parseNumber(field, ns, decimalMark)) {
-    ns *= timeUnitNs;
+    ns *= unitNs;
   } else if (parseTimestamp(field, timestampNs)) {
+    zeroNs = zeroNs == INT64_MIN ? timestampNs : zeroNs;
     ns = static_cast<double>(timestampNs - zeroNs);
   } else {
-    return false;
+    return quoted(field) + " is not a time: a number is expected in column " + std::to_string(column + 1);
   }
-  return true;
+  return std::abs(ns) <= static_cast<double>(CaptureTimeMaxNs) ? "" : "a time is beyond a year: is its unit right?";
 }
 
 std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs) {
   layout.separator = separatorOf(head);
   std::string points(head);
   if (layout.separator != ',') {
-    layout.decimalMark = ',';
+    layout.time.decimalMark = ',';
     std::replace(points.begin(), points.end(), ',', '.');
-    head = points;
   }
   Header header;
-  const std::vector<Fields> rows = takeRows(head, layout, header);
+  const std::vector<Fields> rows = takeRows(points, layout, header);
   if (rows.empty()) {
     return "is not a known capture of a wire: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
            "or bits as 0 and 1 are expected";
   }
+  std::vector<size_t> &columns = layout.columns;
   for (size_t i = 0; i < rows.front().size(); i++) {
     if (!rows.front()[i].empty()) {
-      layout.columns.push_back(i);
+      columns.push_back(i);
     }
   }
-  const auto title = [&header](size_t column) {
-    return (column < header.titles.size() ? header.titles[column] : "") + " " +
-           (column < header.units.size() ? header.units[column] : "");
-  };
+  const auto title = [&](size_t i) { return header.title(columns[i]); };
   // A column that counts the rows may precede the times, or replace them.
-  size_t first = layout.columns.front();
-  const bool counted = layout.columns.size() > 1 && !isTime(title(first)) && grows(rows, first, true);
-  if (counted) {
-    layout.columns.erase(layout.columns.begin());
-    first = layout.columns.front();
+  const bool isCounted = columns.size() > 1 && !isTime(title(0)) && grows(rows, columns[0], true);
+  if (isCounted) {
+    columns.erase(columns.begin());
   }
   // Saleae's Logic MSO: "Trigger [s]" begins again with each waveform, "Time [s]" goes on.
-  while (layout.columns.size() > 2 && isTime(title(first)) && !hasWord(title(first), {"time"}) &&
-         hasWord(title(layout.columns[1]), {"time"})) {
-    layout.columns.erase(layout.columns.begin());
-    first = layout.columns.front();
+  while (columns.size() > 2 && isTime(title(0)) && !hasWord(title(0), {"time"}) && hasWord(title(1), {"time"})) {
+    columns.erase(columns.begin());
   }
-  if (layout.columns.size() > 1 && (isTime(title(first)) || (!counted && grows(rows, first, false)))) {
-    layout.columns.erase(layout.columns.begin());
-    layout.timeColumn = first;
-    layout.timeUnitNs =
-        header.program == "PulseView" && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(first));
-    parseTimestamp(rows.front()[first], layout.zeroNs);
+  TimeColumn &time = layout.time;
+  if (columns.size() > 1 && (isTime(title(0)) || (!isCounted && grows(rows, columns[0], false)))) {
+    time.column = columns[0];
+    time.unitNs = header.program == "PulseView" && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(0));
+    columns.erase(columns.begin());
   }
   if (periodNs > 0) {
     header.periodNs = periodNs;
-    layout.timeColumn = CsvLayout::None;
+    time.column = TimeColumn::None;
   }
-  if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
+  if (time.column == TimeColumn::None && header.periodNs <= 0) {
     return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", "
            "or --sample-rate is expected";
   }
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
   for (const Fields &row : rows) {
-    for (const size_t column : layout.columns) {
+    for (const size_t column : columns) {
       layout.analogue = layout.analogue || (column < row.size() && !row[column].empty() && !isLogic(row[column]));
     }
   }
   double begin, end;
-  if (layout.timeColumn != CsvLayout::None && (layout.analogue || counted) && rows.size() > 1 &&
-      layout.timeOf(rows.front()[layout.timeColumn], begin) && layout.timeOf(rows.back()[layout.timeColumn], end)) {
+  if (time.column != TimeColumn::None && (layout.analogue || isCounted) && rows.size() > 1 &&
+      time.read(rows.front(), begin).empty() && time.read(rows.back(), end).empty()) {
     layout.periodNs = std::abs(end - begin) / static_cast<double>(rows.size() - 1);  // each row is a sample
     layout.startNs = end < begin ? -begin : begin;  // OWON's times go back, its samples do not
-    layout.timeColumn = counted ? CsvLayout::None : layout.timeColumn;
+    time.column = isCounted ? TimeColumn::None : time.column;
   }
-  layout.names = namesOf(header, layout.columns);
+  layout.names = namesOf(header, columns);
   layout.name = !header.program.empty() ? header.program + " CSV"
                 : layout.analogue       ? OscilloscopeFormat
                                         : "logic analyser's CSV";

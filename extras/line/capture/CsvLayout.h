@@ -2,33 +2,52 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "line/capture/CsvFields.h"
-
 namespace line {
 
-struct CsvLayout {
+using Fields = std::vector<std::string_view>;
+
+// Sets the fields of a row. A separator at its end does not begin another field.
+void splitRow(std::string_view row, char separator, Fields &fields);
+
+// Returns true if `text` has one of these words, in any case. A micro sign in any encoding counts as u.
+bool hasWord(std::string_view text, std::initializer_list<std::string_view> words);
+
+// Returns the unit of time in a title, in ns; by default a second.
+double unitOf(std::string_view title);
+
+// Takes a voltage off the front: a number, or an infinity sign, which PicoScope writes beyond its range. Any character
+// beyond ASCII counts as one. Returns false without one.
+bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark = '.');
+
+// A column of times: numbers, or timestamps, which count from the first one.
+struct TimeColumn {
   static constexpr size_t None = SIZE_MAX;
 
+  size_t column = None;
+  double unitNs = 1e9;
+  char decimalMark = '.';
+  int64_t zeroNs = INT64_MIN;  // the first timestamp
+
+  // Reads a row's time. Returns what is wrong, or nothing.
+  std::string read(const Fields &fields, double &ns);
+};
+
+struct CsvLayout {
   std::string name;  // "PulseView CSV"
   char separator = ',';
-  char decimalMark = '.';
   std::vector<std::string> names;  // the signals'
   std::vector<size_t> columns;     // the signals'
   bool analogue = false;           // volts; otherwise 0 and 1
-  size_t timeColumn = None;
-  double timeUnitNs = 1e9;
+  TimeColumn time;
   // Without a column of times: the time of the first row, and between two rows.
   double startNs = 0;
   double periodNs = 0;
-  int64_t zeroNs = 0;      // times count from here, the first timestamp
   uint64_t headLines = 0;  // before the first row
-
-  // Reads a time. Returns false if `field` is neither a number nor a timestamp.
-  bool timeOf(std::string_view field, double &ns) const;
 };
 
 // Finds the layout. Returns what is wrong and what is expected, or nothing. `head`: the file's first lines. `periodNs`:

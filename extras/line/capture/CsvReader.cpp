@@ -30,14 +30,13 @@ std::string CsvReader::put(std::string_view lines) {
 
 std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   double value = _layout.startNs + static_cast<double>(_row) * _layout.periodNs;
-  if (_layout.timeColumn != CsvLayout::None) {
+  if (_layout.time.column != TimeColumn::None) {
     splitRow(row, _layout.separator, _fields);
-    if (_layout.timeColumn >= _fields.size() || !_layout.timeOf(_fields[_layout.timeColumn], value)) {
-      const std::string_view word = _layout.timeColumn < _fields.size() ? _fields[_layout.timeColumn] : "";
-      return quoted(word) + " is not a time: a number is expected in column " + std::to_string(_layout.timeColumn + 1);
+    const std::string wrong = _layout.time.read(_fields, value);
+    if (!wrong.empty()) {
+      return wrong;
     }
-  }
-  if (!(std::abs(value) <= static_cast<double>(CaptureTimeMaxNs))) {
+  } else if (!(std::abs(value) <= static_cast<double>(CaptureTimeMaxNs))) {
     return "a time is beyond a year: is its unit right?";
   }
   ns = std::llround(value);
@@ -57,7 +56,7 @@ int64_t CsvReader::endNs() {
 
 // Most rows are equal to the previous one, and are not read any further.
 std::string DigitalReader::rows(std::string_view text) {
-  const bool timed = _layout.timeColumn == 0;
+  const bool timed = _layout.time.column == 0;
   std::string_view last = _last;
   std::string error;
   while (!text.empty()) {
@@ -90,7 +89,6 @@ std::string DigitalReader::changed(std::string_view row) {
     return error;
   }
   splitRow(row, _layout.separator, _fields);
-  _levels.resize(_layout.columns.size(), 'x');
   for (size_t i = 0; i < _layout.columns.size(); i++) {
     const size_t column = _layout.columns[i];
     if (column >= _fields.size()) {
@@ -100,10 +98,7 @@ std::string DigitalReader::changed(std::string_view row) {
     const std::string_view field = _fields[column];
     const char level = field.size() == 1 ? field.front() : field.empty() ? 'x' : '?';
     if (level == '0' || level == '1') {
-      if (level != _levels[i]) {
-        _levels[i] = level;
-        _sink.level(i, ns, level == '1');
-      }
+      tell(i, level == '1');
     } else if (std::string_view("xXzZ").find(level) == std::string_view::npos) {
       return quoted(field) + " is not a level: 0 or 1 is expected in column " + std::to_string(column + 1);
     }
@@ -173,7 +168,7 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
     double volts = NAN;
     const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
     any = any || !isEmpty;
-    if (!isEmpty && !takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
+    if (!isEmpty && !takeVoltage(at, end, volts, _layout.time.decimalMark)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
       return quoted(word) + " is not a voltage: a number is expected in column " + std::to_string(column + 1);
     }

@@ -23,8 +23,8 @@ class CsvReader : public CaptureReader {
   // Reads the time of the next row. Returns what is wrong, or nothing.
   std::string rowTime(std::string_view row, int64_t &ns);
 
-  const CsvLayout _layout;
-  std::vector<std::string_view> _fields;
+  CsvLayout _layout;
+  Fields _fields;
   uint64_t _row = 0;  // number of the next row, from 0
   bool _hasTime = false;  // a row's time was read
   std::string _last;      // the last good row
@@ -39,7 +39,6 @@ class DigitalReader : public CsvReader {
   std::string changed(std::string_view row);
 
   std::string _values;  // the previous row without its time
-  std::vector<char> _levels;
 };
 
 class AnalogueReader : public CsvReader {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "line/recording/PlainText.h"
+
 struct archive;
 
 namespace line {
@@ -75,6 +77,29 @@ class PackedFile {
   std::string _entry;  // its name
   bool _atEnd = false;
   std::string _failure;
+};
+
+// Reads the text of a file, packed or not.
+class TextFile {
+ public:
+  // Reads the rest of `file`.
+  explicit TextFile(PackedFile &file) : _file(file) {}
+
+  // Waits for at least one character. Returns those received; nothing at the end and after a failure.
+  std::string_view read() {
+    std::string_view text;
+    while (!_atEnd && text.empty()) {
+      const std::string_view bytes = _file.read();
+      _atEnd = bytes.empty();
+      text = _atEnd ? _plain.finish() : _plain.put(bytes);
+    }
+    return text;
+  }
+
+ private:
+  PackedFile &_file;
+  PlainText _plain;
+  bool _atEnd = false;
 };
 
 }  // namespace line

@@ -1,18 +1,53 @@
 // A capture as a recording: the characters of the signal that carries S.Bus, from time 0 on.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "line/capture/CaptureText.h"
-#include "line/capture/CaptureTimes.h"
 #include "line/capture/EdgeStore.h"
 #include "line/recording/Recording.h"
 
 namespace line {
 
+// Converts the times of a capture's characters for an Observer: they count from 0, even if the capture begins before
+// its own time 0, the trigger's.
+class CaptureTimes {
+ public:
+  void begin(const FoundWire &wire) { _characterNs = wire.settings.format.bits() * wire.bitNs; }
+
+  // Returns the character with its time. Time 0 is the capture's, or the beginning of an earlier first character.
+  Character of(const WireCharacter &character) {
+    if (!_begun) {
+      _begun = true;
+      _zeroNs = std::min<int64_t>(0, character.startNs - 999) / 1000 * 1000;
+    }
+    return character.since(_zeroNs, _characterNs);
+  }
+
+  // Returns an Observer's time 0 in the capture's time: whole microseconds, not above 0.
+  int64_t zeroNs() const { return _zeroNs; }
+
+  // Converts the capture's time `ns` for an Observer.
+  uint64_t us(int64_t ns) const { return static_cast<uint64_t>(std::max<int64_t>(0, ns - _zeroNs) / 1000); }
+
+ private:
+  bool _begun = false;
+  int64_t _zeroNs = 0;
+  double _characterNs = 0;
+};
+
 class RecordedCapture {
  public:
-  explicit RecordedCapture(const Overrides &overrides = {});
+  // `keepsEdges`: edges() has them; they take as much memory as the characters.
+  explicit RecordedCapture(const Overrides &overrides, bool keepsEdges)
+      : _wire(
+            overrides, [this] { _times.begin(_wire.wire()); },
+            [this](const WireCharacter &character) {
+              recording.characters.push_back(_times.of(character));
+              recording.zeroUs = _times.zeroNs() / 1000;
+            },
+            keepsEdges ? std::function([this](int64_t ns, bool high) { _edges.put(ns, high); }) : nullptr) {}
   RecordedCapture(const RecordedCapture &) = delete;
   RecordedCapture &operator=(const RecordedCapture &) = delete;
 
@@ -20,7 +55,19 @@ class RecordedCapture {
   WireDecoder &wire() { return _wire; }
 
   // Returns, after the end, why it cannot be played; nothing if it can. `name`: the file's.
-  std::string failure(const std::string &name, const CaptureEnd &end) const;
+  std::string failure(const std::string &name, const CaptureEnd &end) const {
+    if (!end.rejection.empty()) {
+      return end.rejection;
+    }
+    if (!end.error.empty()) {
+      return end.error + "; sbus decode -o FILE keeps the part before it";
+    }
+    if (recording.characters.empty()) {
+      return name + ": " + (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));
+    }
+    const std::string slow = tooSlow(end.periodNs, _wire.wire().bitNs);
+    return slow.empty() ? "" : name + ": " + slow + "; sbus decode shows what can be decoded";
+  }
 
   const LineSettings &settings() const { return _wire.wire().settings; }
 

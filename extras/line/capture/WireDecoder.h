@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "line/capture/Capture.h"
-#include "line/capture/Overrides.h"
 #include "line/capture/WireFinder.h"
 #include "line/uart/Levels.h"
 

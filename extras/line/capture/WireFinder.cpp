@@ -66,8 +66,12 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   observer.listen([&extra](const Stretch &stretch) { extra = extra || stretch.kind == Stretch::Kind::Extra; });
   CharacterDecoder decoder(settings, bitNs);
   WireCharacter character;
+  unsigned early = 0;  // characters that begin within the second stop bit of the one before
+  int64_t beforeNs = INT64_MIN / 2;
   const auto take = [&] {
     (character.bad() ? wire.bad : wire.good)++;
+    early += static_cast<double>(character.startNs - beforeNs) < (settings.format.bits() - 0.5) * bitNs;
+    beforeNs = character.startNs;
     observer.put(character.since(levels.front().ns, settings.format.bits() * bitNs));
   };
   for (const Level &level : levels) {
@@ -80,6 +84,7 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   }
   observer.idleUntil(static_cast<uint64_t>((levels.back().ns - levels.front().ns) / 1000) + EndSilenceUs);
   observer.finish();
+  wire.settings.format.stopBits = 2 * early > wire.good + wire.bad ? 1 : settings.format.stopBits;
   wire.frames = observer.counters().frames;
   wire.channels = observer.has24() ? 24 : extra ? 32 : 16;
   return wire;

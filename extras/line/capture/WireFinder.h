@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "line/LineSettings.h"
-#include "line/capture/Overrides.h"
+#include "line/capture/Capture.h"
 
 namespace line {
 

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "line/capture/PackedFile.h"
-#include "line/capture/SessionReader.h"
-#include "line/capture/TextFile.h"
+#include "line/capture/SampleReaders.h"
+#include "line/capture/PackedFile.h"
 #include "line/file/FileHead.h"
 
 namespace line {

@@ -8,7 +8,7 @@
 #include "line/file/TableReader.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/PlainText.h"
-#include "line/recording/Recording.h"
+#include "line/recording/RecordingReader.h"
 #include "line/recording/Words.h"
 
 namespace line {
@@ -67,41 +67,6 @@ FileHead wrong(const std::string &error) {
   return head;
 }
 
-class RecordingLines : public LineReader {
- public:
-  RecordingLines(uint32_t characterUs, bool isCsv) : _reader(characterUs, isCsv) {}
-
-  std::string line(std::string_view text, std::deque<Character> &characters) override {
-    _reader.line(text);
-    for (const Character character : _reader.take()) {
-      characters.push_back(character);
-    }
-    begin(_reader.zeroUs());
-    return _reader.error();
-  }
-  // Like a port, leaves out a row without its end.
-  std::string cutLine(std::string_view text, std::deque<Character> &characters) override {
-    return _reader.isCsv() ? "" : line(text, characters);
-  }
-  std::string finish(std::deque<Character> & /*characters*/) override {
-    _hasEnded = true;
-    Recording read = _reader.finish();
-    _bookmarks = std::move(read.bookmarks);
-    return read.error;
-  }
-  std::string news() override {
-    return _hasEnded && _reader.nuls() > 0 ? std::to_string(_reader.nuls()) +
-                                                 " NULs were left out, and the lines that they cut: did the power fail?"
-                                           : "";
-  }
-  const std::vector<Bookmark> *bookmarks() const override { return _reader.isCsv() ? nullptr : &_bookmarks; }
-
- private:
-  bool _hasEnded = false;
-  RecordingReader _reader;
-  std::vector<Bookmark> _bookmarks;
-};
-
 }  // namespace
 
 FileKind kindOfText(std::string_view text) {
@@ -128,13 +93,12 @@ FileKind kindOfText(std::string_view text) {
 }
 
 std::string whyNoCapture(FileKind kind, std::string_view begin) {
-  const bool isOne = kind != FileKind::Recording || isRecording(begin);
-  const char *const what = !isOne                      ? nullptr
-                           : kind == FileKind::Recording ? "a recording of characters"
-                           : kind == FileKind::Bytes   ? "bytes"
-                           : kind == FileKind::Json    ? "JSON lines"
-                           : kind == FileKind::Table   ? "a table of frames"
-                                                       : nullptr;
+  const bool isOne = kind == FileKind::Recording && isRecording(begin);
+  const char *const what = isOne                     ? "a recording of characters"
+                           : kind == FileKind::Bytes ? "bytes"
+                           : kind == FileKind::Json  ? "JSON lines"
+                           : kind == FileKind::Table ? "a table of frames"
+                                                     : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
                                ", not a capture of the wire: sbus hex shows it, sbus wave makes a capture of it";
@@ -240,8 +204,9 @@ std::unique_ptr<LineReader> makeReader(const FileHead &head) {
     case FileKind::Text:
       return std::make_unique<BytesReader>(head.begin, head.kind == FileKind::Text, head.settings);
     case FileKind::Recording:
+      return std::make_unique<RecordingReader>(head.settings.characterUs());
     case FileKind::Rows:
-      return std::make_unique<RecordingLines>(head.settings.characterUs(), head.kind == FileKind::Rows);
+      return std::make_unique<RowsReader>(head.settings.characterUs());
     case FileKind::Capture:
     case FileKind::Wrong:
       break;

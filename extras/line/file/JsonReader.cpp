@@ -21,7 +21,6 @@ namespace {
 
 using Object = nlohmann::json;
 
-constexpr uint64_t PeriodUs = 9000;  // of frames without times: the paper's receiver
 constexpr uint64_t OverlapMostUs = 10000000;  // more than this is another line's time
 constexpr const char *Expected = "JSON lines as sbus hex --json writes them are expected";
 
@@ -257,7 +256,7 @@ std::string JsonReader::line(std::string_view text, std::deque<Character> &chara
     }
   }
   _splitter.put('\n');
-  return {};
+  return _splitter.isTooLong() ? std::string("an object has no end; ") + Expected : "";
 }
 
 std::string JsonReader::finish(std::deque<Character> & /*characters*/) {
@@ -312,18 +311,13 @@ std::string JsonReader::take(const std::string &object, std::deque<Character> &c
 // Appends characters that end at `endUs`, back to back.
 std::string JsonReader::put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
                             std::deque<Character> &characters) {
-  const int64_t us = endUs ? std::llround(*endUs) : static_cast<int64_t>(_lastUs + PeriodUs);
-  if (!_any && endUs) {
-    begin(us - static_cast<int64_t>(came.size() * _characterUs));
-  }
-  const uint64_t endOfAll = static_cast<uint64_t>(std::max<int64_t>(0, us - (endUs ? zeroUs() : 0)));
+  const uint64_t endOfAll =
+      endOf(endUs ? std::optional<int64_t>(std::llround(*endUs)) : std::nullopt, came.size() * _characterUs);
   if (_any && endOfAll + OverlapMostUs < _lastUs) {
     return format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
                         static_cast<unsigned long long>(_lastUs));
   }
-  _lastUs = appendLate(came, endOfAll, _lastUs, _characterUs, lateUs, characters);
-  _overlaps.put(_any ? endOfAll : _lastUs, _lastUs);
-  _any = true;
+  placed(endOfAll, appendLate(came, endOfAll, _lastUs, _characterUs, lateUs, characters));
   return {};
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "line/file/LineReader.h"
+#include "line/file/LineSplitter.h"
 #include "line/LineSettings.h"
 #include "sbus/Scaling.h"
 
@@ -26,6 +27,9 @@ class JsonSplitter {
 
   // Returns true if an object has begun.
   bool isWithin() const { return _depth > 0; }
+
+  // Returns true if an object is too long for any memory: an end is missing.
+  bool isTooLong() const { return _object.size() > TextLineMax; }
 
  private:
   std::string _object;
@@ -48,13 +52,12 @@ JsonHead readJsonHead(std::string_view text);
 
 // An object may span lines. Types other than line, frame, no_frame, slot and character are left out. A frame without a
 // time ends 9 ms after the previous one.
-class JsonReader : public LineReader {
+class JsonReader : public FrameReader {
  public:
-  explicit JsonReader(const LineSettings &settings) : _characterUs(settings.characterUs()) {}
+  explicit JsonReader(const LineSettings &settings) : FrameReader(settings.characterUs()) {}
 
   std::string line(std::string_view text, std::deque<Character> &characters) override;
   std::string finish(std::deque<Character> &characters) override;
-  std::string news() override { return _overlaps.take(); }
   bool isComplete() const override { return _hasEnded; }
 
  private:
@@ -62,11 +65,7 @@ class JsonReader : public LineReader {
   std::string put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
                   std::deque<Character> &characters);
 
-  const uint32_t _characterUs;
   JsonSplitter _splitter;
-  uint64_t _lastUs = 0;
-  bool _any = false;
-  OverlapNews _overlaps;
   bool _hasEnded = false;  // an object of type end came
   sbus::Range _range = sbus::FrSky;
 };

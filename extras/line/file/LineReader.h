@@ -1,8 +1,10 @@
 // Turns a file's text into characters.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,18 +56,37 @@ class LineReader {
   int64_t _zeroUs = 0;
 };
 
-// Tells once that lines of a text overlap.
-class OverlapNews {
+// The common part of readers whose lines are frames with their times.
+class FrameReader : public LineReader {
  public:
-  // Takes the time of a frame in the text, and where it ends.
-  void put(uint64_t us, uint64_t endUs) {
-    if (endUs > us && !std::exchange(_isTold, true)) {
-      _news = "its time, " + std::to_string(us) + " us, overlaps what comes before it: moved by " +
-              std::to_string(endUs - us) + " us, and others may be";
+  std::string news() override { return std::exchange(_news, {}); }
+
+ protected:
+  static constexpr uint64_t PeriodUs = 9000;  // of frames without times: the paper's receiver
+
+  explicit FrameReader(uint32_t characterUs) : _characterUs(characterUs) {}
+
+  // Returns when characters end that end at `us` in the text; without a time, a period after those before. The first
+  // ones last for `lengthUs` at most.
+  uint64_t endOf(std::optional<int64_t> us, uint64_t lengthUs) {
+    if (!_any && us) {
+      begin(*us - static_cast<int64_t>(lengthUs));
     }
+    return us ? static_cast<uint64_t>(std::max<int64_t>(0, *us - zeroUs())) : _lastUs + PeriodUs;
   }
 
-  std::string take() { return std::exchange(_news, {}); }
+  // Takes characters that end at `lastUs`, though they should end at `endUs`. News tell once that they are moved.
+  void placed(uint64_t endUs, uint64_t lastUs) {
+    if (std::exchange(_any, true) && lastUs > endUs && !std::exchange(_isTold, true)) {
+      _news = "its time, " + std::to_string(endUs) + " us, overlaps what comes before it: moved by " +
+              std::to_string(lastUs - endUs) + " us, and others may be";
+    }
+    _lastUs = lastUs;
+  }
+
+  const uint32_t _characterUs;
+  uint64_t _lastUs = 0;
+  bool _any = false;
 
  private:
   bool _isTold = false;

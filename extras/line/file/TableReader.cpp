@@ -13,7 +13,6 @@ namespace line {
 
 namespace {
 
-constexpr uint64_t PeriodUs = 9000;  // between rows without times
 constexpr uint64_t FrameUsMost = 50000;
 constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18, in a table that ends there
 
@@ -242,14 +241,8 @@ std::string TableReader::line(std::string_view text, std::deque<Character> &char
   if (!wrong.empty() || !_rows.isRow()) {
     return wrong;
   }
-  const std::optional<int64_t> us = _rows.row().us;
-  if (!_any && us) {
-    begin(*us - static_cast<int64_t>(2 * sbus::FrameSize24 * _characterUs));  // a row may be two frames
-  }
-  const uint64_t endUs = us ? static_cast<uint64_t>(*us - zeroUs()) : _lastUs + PeriodUs;
-  _lastUs = appendFrames(_rows.row(), _rows.channels(), endUs, _lastUs, _characterUs, characters);
-  _overlaps.put(_any ? endUs : _lastUs, _lastUs);
-  _any = true;
+  const uint64_t endUs = endOf(_rows.row().us, 2 * sbus::FrameSize24 * _characterUs);  // a row may be two frames
+  placed(endUs, appendFrames(_rows.row(), _rows.channels(), endUs, _lastUs, _characterUs, characters));
   return {};
 }
 

@@ -86,9 +86,9 @@ uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint
                       std::deque<Character> &characters);
 
 // Makes a frame of each row of a whole table.
-class TableReader : public LineReader {
+class TableReader : public FrameReader {
  public:
-  explicit TableReader(const LineSettings &settings) : _characterUs(settings.characterUs()) {}
+  explicit TableReader(const LineSettings &settings) : FrameReader(settings.characterUs()) {}
 
   std::string line(std::string_view text, std::deque<Character> &characters) override;
   std::string cutLine(std::string_view text, std::deque<Character> & /*characters*/) override {
@@ -97,14 +97,9 @@ class TableReader : public LineReader {
   std::string finish(std::deque<Character> & /*characters*/) override {
     return _any ? "" : "has no rows; rows as sbus csv prints them are expected";
   }
-  std::string news() override { return _overlaps.take(); }
 
  private:
-  const uint32_t _characterUs;
   TableRows _rows;
-  uint64_t _lastUs = 0;
-  OverlapNews _overlaps;
-  bool _any = false;
 };
 
 // Whether a text is a whole table with a row per frame: rows at most 50 ms apart. Maybe: it has fewer than two rows

@@ -21,12 +21,21 @@ class RecordedLine : public Line {
 
   void opened(uint64_t nowUs) override { _zeroUs = nowUs + _leadUs; }
 
-  bool next(uint64_t nowUs, Character &character) override;
+  bool next(uint64_t nowUs, Character &character) override {
+    if (_index == _characters->size() || _zeroUs + (*_characters)[_index].endUs > nowUs) {
+      return false;
+    }
+    character = (*_characters)[_index++];
+    character.endUs += _zeroUs;
+    return true;
+  }
 
-  uint64_t knownUs(uint64_t nowUs) const override;
+  uint64_t knownUs(uint64_t nowUs) const override {
+    return nowUs < _zeroUs ? 0 : _zeroUs + _characters->knownUs(_index, nowUs - _zeroUs);
+  }
 
   // Returns true a little after the last character, so that a sketch can still print its values.
-  bool finished(uint64_t nowUs) const override;
+  bool finished(uint64_t nowUs) const override { return nowUs >= _zeroUs + _characters->back().endUs + TailUs; }
 
  private:
   const std::shared_ptr<const Characters> _characters;

@@ -107,7 +107,7 @@ constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  //
 constexpr size_t RecordingBeginning = 4096;  // bytes of a file that show its kind
 
 // Returns the settings of the recorded line from RecordingWriter::opened()'s comment before the first character: Fast
-// S.Bus, or a sketch's Serial, 8N1; without the comment S.Bus.
+// S.Bus, a sender with one stop bit, 8E1, or a sketch's Serial, 8N1; without the comment S.Bus.
 LineSettings settingsIn(std::string_view beginning);
 
 // Returns time 0 of the recorded line in us since 1970, from RecordingWriter::began()'s comment.
@@ -118,56 +118,5 @@ bool hasTimeColumn(std::string_view text);
 
 // Returns true if the text is not a recording, but a sketch's rows.
 bool isCsvText(std::string_view beginning);
-
-// Reads a recording line by line. NULs end a line: what precedes them is read, up to its last whole byte.
-class RecordingReader {
- public:
-  // `characterUs` is the time of a character on the line. If `csv`, the lines are a sketch's rows: every 200 ms, as the
-  // examples print them, or at the times in their first column, if its name is "time" or "seconds", as sbus csv and the
-  // scope write them.
-  explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
-      : _characterUs(characterUs), _csv(csv) {}
-
-  // Takes the next line, without its LF. Does nothing after an error.
-  void line(std::string_view text);
-
-  // Returns the characters since the last call.
-  Characters take() { return std::exchange(_recording.characters, {}); }
-
-  bool isCsv() const { return _csv; }
-
-  // Returns how many NULs were read around. A file system leaves them where the power failed.
-  unsigned long nuls() const { return _nuls; }
-
-  // Returns Recording::zeroUs, once there was a character.
-  int64_t zeroUs() const { return _recording.zeroUs; }
-
-  // Returns what is wrong with the newest line, or nothing.
-  const std::string &error() const { return _recording.error; }
-
-  // Returns the recording after its last line: all of it, or the part that take() has not returned. With an error,
-  // `characters` holds those before it.
-  Recording finish();
-
- private:
-  void row(std::string_view text);
-  std::string parse(std::string_view line);
-  void comment(std::string_view text);
-  bool place(int64_t us, uint64_t &endUs);
-  void putRow(std::string_view text, uint64_t endUs, uint32_t characterUs);
-  void put(const Character &character);
-
-  const uint32_t _characterUs;
-  const bool _csv;
-  Recording _recording;
-  Character _last;  // the newest one
-  bool _any = false;
-  unsigned long _nuls = 0;
-  unsigned _number = 0;    // of the last line
-  bool _hasTimes = false;  // its rows have times
-};
-
-// Reads the whole text of a recording.
-Recording parseRecording(std::string_view text, uint32_t characterUs = CharacterUs);
 
 }  // namespace line

@@ -11,24 +11,34 @@
 #include <stdexcept>
 #include <utility>
 
+#include "line/file/LineSplitter.h"
+#include "line/recording/RecordingReader.h"
 #include "line/system/System.h"
 
 namespace line {
 
 Recording readRecording(const std::string &name, uint32_t characterUs) {
-  RecordingReader reader(characterUs);
   std::ifstream in(name, std::ios::binary);
   if (!in) {
     throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
                              "); the name of a recording is expected");
   }
-  for (std::string line; std::getline(in, line);) {
-    reader.line(line);
-  }
+  LineSplitter lines;
+  const auto take = [&](std::string &line) {
+    char bytes[4096];
+    while (!lines.take(line)) {
+      if (lines.atEnd()) {
+        return false;
+      }
+      in.read(bytes, sizeof bytes);
+      lines.put({bytes, static_cast<size_t>(in.gcount())});
+    }
+    return true;
+  };
+  Recording recording = readLines(take, characterUs);
   if (in.bad()) {
     throw std::runtime_error(name + ": cannot be read");
   }
-  Recording recording = reader.finish();
   if (!recording.error.empty()) {
     const std::string place = recording.errorLine > 0 ? ":" + std::to_string(recording.errorLine) : "";
     throw std::runtime_error(name + place + ": " + recording.error);

@@ -2,6 +2,7 @@
 // characters, with gaps between frames, however the port delivered them.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <string>
@@ -20,7 +21,22 @@ class RestoredLine : public Line {
   }
 
   void opened(uint64_t nowUs) override { _line->opened(nowUs); }
-  bool next(uint64_t nowUs, Character &character) override;
+  bool next(uint64_t nowUs, Character &character) override {
+    if (nowUs >= _nextPollUs) {
+      _nextPollUs = nowUs + PollUs;
+      _nowUs = nowUs;
+      for (Character brought; _line->next(nowUs, brought);) {
+        _observer.put(brought);
+      }
+      _observer.idleUntil(_line->knownUs(nowUs));
+    }
+    if (_waiting.empty() || _waiting.front().endUs > nowUs) {
+      return false;
+    }
+    character = _waiting.front();
+    _waiting.pop_front();
+    return true;
+  }
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs) && _waiting.empty(); }
   std::string failure() const override { return _line->failure(); }
   std::string news() override { return _line->news(); }
@@ -29,7 +45,13 @@ class RestoredLine : public Line {
   static constexpr uint64_t PollUs = 200;       // polling the port more often is useless
   static constexpr uint64_t GapCharacters = 5;  // short enough for a frame every 4 ms
 
-  void take(const Stretch &stretch);
+  void take(const Stretch &stretch) {
+    _lastEndUs = std::max(_nowUs, _lastEndUs + GapCharacters * _characterUs);
+    for (const Character &brought : stretch.characters) {
+      _lastEndUs += _characterUs;
+      _waiting.push_back({_lastEndUs, brought.value, brought.bad});
+    }
+  }
 
   std::unique_ptr<Line> _line;
   const uint32_t _characterUs;

@@ -1,9 +1,12 @@
 // Notes periods of failsafe, lost frames and silence, and late reads by the PC, for `sbus summary` and its report.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "line/Silence.h"
 
 namespace line {
 
@@ -18,10 +21,20 @@ struct FlagSpan {
 };
 
 // Returns their total length.
-uint64_t sumUs(const std::vector<FlagSpan> &spans);
+inline uint64_t sumUs(const std::vector<FlagSpan> &spans) {
+  uint64_t us = 0;
+  for (const FlagSpan &span : spans) {
+    us += span.us();
+  }
+  return us;
+}
 
 // Returns the `count` longest ones, longest first.
-std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count);
+inline std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count) {
+  std::stable_sort(spans.begin(), spans.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.us() > b.us(); });
+  spans.resize(std::min(spans.size(), count));
+  return spans;
+}
 
 // A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a late read by the
 // PC, or to the end. A frame with both flags counts as failsafe only. Frames without pulses have no flag: Values.
@@ -29,13 +42,31 @@ class FlagSpans {
  public:
   // Returns true if the line was silent between the newest frame and the next one, at `us`, or if the PC was late,
   // according to that frame's `lateUs`. All spans end there.
-  bool brokenUntil(uint64_t us, uint32_t lateUs);
+  bool brokenUntil(uint64_t us, uint32_t lateUs) {
+    const Gap gap = _lastUs == 0 ? Gap::Ordinary : gapOf(_lastUs, us, lateUs);
+    if (gap == Gap::Ordinary) {
+      return false;
+    }
+    finish();
+    _all.push_back({gap == Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, _lastUs, us});
+    return true;
+  }
 
   // Takes the flags of the next frame.
-  void put(uint64_t us, bool failsafe, bool lostFrame, bool noPulses);
+  void put(uint64_t us, bool failsafe, bool lostFrame, bool noPulses) {
+    _firstUs = _lastUs == 0 ? us : _firstUs;
+    _lastUs = us;
+    set(_failsafe, failsafe);
+    set(_noPulses, noPulses);
+    set(_lostFrame, lostFrame && !failsafe);
+  }
 
   // Ends all spans. Call it after the last frame.
-  void finish();
+  void finish() {
+    set(_failsafe, false);
+    set(_noPulses, false);
+    set(_lostFrame, false);
+  }
 
   // Returns the spans in the order in which they ended.
   const std::vector<FlagSpan> &all() const { return _all; }
@@ -51,7 +82,14 @@ class FlagSpans {
     uint64_t fromUs;
   };
 
-  void set(Flag &flag, bool is);
+  void set(Flag &flag, bool is) {
+    if (is && !flag.is) {
+      flag.fromUs = _lastUs;
+    } else if (!is && flag.is) {
+      _all.push_back({flag.kind, flag.fromUs, _lastUs});
+    }
+    flag.is = is;
+  }
 
   Flag _failsafe = {FlagSpan::Kind::Failsafe, false, 0};
   Flag _noPulses = {FlagSpan::Kind::NoPulses, false, 0};

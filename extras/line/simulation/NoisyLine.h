@@ -18,7 +18,29 @@ class NoisyLine : public Line {
       : _line(std::move(line)), _longestUs(2000000 / perSecond), _characterUs(characterUs) {}
 
   void opened(uint64_t nowUs) override { _line->opened(nowUs); }
-  bool next(uint64_t nowUs, Character &character) override;
+  bool next(uint64_t nowUs, Character &character) override {
+    _hasQuiet = _hasQuiet || _line->next(nowUs + _characterUs, _quiet);
+    const uint64_t noiseEndUs = _noiseUs + _characterUs;
+    const bool noise = !_hasQuiet || noiseEndUs + _characterUs <= _quiet.endUs;  // there is room for a character of noise
+    const uint64_t endUs = noise ? noiseEndUs : _quiet.endUs;
+    if (endUs > nowUs) {
+      return false;
+    }
+    if (noise) {
+      character.value = _random.byte();
+      character.bad = _random.chance(0.5);
+    } else {
+      character = _quiet;
+      character.bad = character.bad || _noiseUs < endUs;
+      _hasQuiet = false;
+    }
+    character.parityWrong = character.parityWrong || (character.bad && !character.stopWrong);
+    character.endUs = endUs;
+    while (_noiseUs < endUs) {
+      _noiseUs += 1 + _random.below(_longestUs);
+    }
+    return true;
+  }
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
   void share(const LineSettings &tx) override { _line->share(tx); }
   void hear(const Character &character) override { _line->hear(character); }

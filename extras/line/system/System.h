@@ -1,5 +1,5 @@
 // Everything that differs between Linux, macOS and Windows: here, in Posix.cpp and Windows.cpp, and for ports in
-// PosixPort.cpp and WindowsPort.cpp.
+// PosixPort.cpp.
 #pragma once
 
 #include <fcntl.h>

@@ -1,6 +1,7 @@
 // Converts characters to a wire's levels, and levels to characters, like a UART.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "line/Line.h"
@@ -45,7 +46,11 @@ struct WireCharacter {
 class CharacterDecoder {
  public:
   // `bitNs`: as measured.
-  CharacterDecoder(const LineSettings &settings, double bitNs);
+  CharacterDecoder(const LineSettings &settings, double bitNs)
+      : _idleHigh(settings.idleHigh()),
+        _format(settings.format),
+        _stopBit(_format.bits() - _format.stopBits),
+        _bitNs(std::llround(bitNs)) {}
 
   // Takes the wire's level from `ns` on; the first level is not an edge. Returns true if a character was complete
   // before that; there is at most one.
@@ -66,7 +71,25 @@ class CharacterDecoder {
   }
 
   // Takes the time up to which the wire keeps its level. Returns true if a character was complete before that.
-  bool until(int64_t ns, WireCharacter &character);
+  bool until(int64_t ns, WireCharacter &character) {
+    for (; _sampleNs < ns; _sampleNs += _bitNs, _bit++) {
+      if (_bit == 0 && _idle) {
+        _sampleNs = Never;
+        return false;
+      }
+      if (_bit == _stopBit) {
+        const unsigned bits = _bits >> 1;
+        character.startNs = _startNs;
+        character.value = static_cast<uint8_t>(bits & ((1u << _format.dataBits) - 1));
+        character.parityWrong = _format.parity != Parity::None && isOdd(bits) != (_format.parity == Parity::Odd);
+        character.stopWrong = !_idle;
+        _sampleNs = Never;
+        return true;
+      }
+      _bits |= static_cast<unsigned>(_idle) << _bit;
+    }
+    return false;
+  }
 
  private:
   static constexpr int64_t Never = INT64_MAX;

@@ -13,8 +13,16 @@ class SampledLine : public Line {
   SampledLine(std::unique_ptr<Line> line, const LineSettings &settings, const LineSettings &port)
       : _line(std::move(line)), _settings(settings), _port(port), _agrees(mismatch(port, settings).empty()) {}
 
-  void opened(uint64_t nowUs) override;
-  bool next(uint64_t nowUs, Character &character) override;
+  void opened(uint64_t nowUs) override {
+    _line->opened(nowUs);
+    _sampler.open(nowUs, _port, _settings);
+  }
+  bool next(uint64_t nowUs, Character &character) override {
+    for (Character sent; !_agrees && _line->next(nowUs, sent);) {
+      _sampler.put(sent);
+    }
+    return _agrees ? _line->next(nowUs, character) : _sampler.next(nowUs, character);
+  }
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
   std::string failure() const override { return _line->failure(); }
   bool isBroken() const override { return _line->isBroken(); }

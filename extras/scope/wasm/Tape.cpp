@@ -9,8 +9,9 @@
 
 #include "ShownLine.h"
 #include "line/capture/RecordedCapture.h"
-#include "line/capture/SessionReader.h"
+#include "line/capture/SampleReaders.h"
 #include "line/file/FileHead.h"
+#include "line/file/LineSplitter.h"
 #include "line/recording/PlainText.h"
 
 using namespace scope;
@@ -30,8 +31,7 @@ std::unique_ptr<line::SessionReader> session;    // of a capture that is one
 std::string metadata;                            // of the session
 std::string sessionError;                        // in its samples
 line::PlainText plain;
-std::string partOfLine;
-unsigned long lines = 0;
+line::LineSplitter lines;
 std::deque<line::Character> came;
 std::string error;  // in a line
 std::string words;
@@ -43,35 +43,30 @@ void keep() {
   came.clear();
 }
 
-void takeLine(std::string_view text, bool isCut) {
-  if (error.empty()) {
-    lines++;
-    error = isCut ? reader->cutLine(text, came) : reader->line(text, came);
-    error = error.empty() ? "" : "line " + std::to_string(lines) + ": " + error;
-    keep();
+// Takes the next piece of a text; an empty one is its end.
+void takeLines(std::string_view text) {
+  lines.put(text);
+  for (std::string line; lines.take(line);) {
+    if (error.empty()) {
+      error = !lines.wrong().empty() ? lines.wrong() : lines.isCut() ? reader->cutLine(line, came) : reader->line(line, came);
+      error = error.empty() ? "" : "line " + std::to_string(lines.number()) + ": " + error;
+      keep();
+    }
   }
 }
 
 void takeText(std::string_view text) {
   if (captureText) {
     captureText->put(text);
-    return;
+  } else if (!text.empty()) {
+    takeLines(text);
   }
-  for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    partOfLine += text.substr(0, end);
-    takeLine(partOfLine, false);
-    partOfLine.clear();
-    text.remove_prefix(end + 1);
-  }
-  partOfLine += text;
 }
 
 // Returns what is wrong with a text or bytes.
 std::string finishText() {
   takeText(plain.finish());
-  if (!partOfLine.empty()) {
-    takeLine(partOfLine, true);
-  }
+  takeLines({});
   error = error.empty() ? reader->finish(came) : error;
   keep();
   tape.zeroUs = reader->zeroUs();
@@ -122,7 +117,7 @@ EXPORT(openFile)(unsigned count)->const char * {
   theTape.startUs = head.startUs;
   reader = line::makeReader(head);
   if (head.kind == line::FileKind::Capture) {
-    capture = std::make_unique<line::RecordedCapture>();
+    capture = std::make_unique<line::RecordedCapture>(line::Overrides{}, true);
     captureText = std::make_unique<line::CaptureText>(name, line::Overrides{}, capture->wire());
   }
   words = head.error.empty() ? "" : name + ": " + head.error;
@@ -136,7 +131,7 @@ EXPORT(sessionMetadata)(unsigned count)->void {
 
 // After the metadata. Returns what is wrong with them, or "".
 EXPORT(openSession)()->const char * {
-  capture = std::make_unique<line::RecordedCapture>();
+  capture = std::make_unique<line::RecordedCapture>(line::Overrides{}, true);
   session = std::make_unique<line::SessionReader>(capture->wire(), 0);
   words = metadata.empty() ? line::SessionReader::NoMetadata : session->metadata(metadata);
   words = words.empty() ? "" : name + ": " + words;

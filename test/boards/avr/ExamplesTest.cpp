@@ -207,7 +207,7 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses t
   CHECK(wrongRow(Expected(first.characters()), rows, avr::calibrated(stored)) == "");
   CHECK(first.mistakes() == "");
   CHECK(stored.version == 1);
-  for (size_t i = 0; i < 4; i++) {  // as extras/line/simulation/CalibrationMoves.cpp has them
+  for (size_t i = 0; i < 4; i++) {  // as extras/line/simulation/Choreography.cpp has them
     constexpr uint16_t Moves[][4] = {
         {172, 1000, 1811, 8}, {1811, 985, 172, 8}, {172, 992, 1811, 0}, {172, 992, 1811, 8}};
     CAPTURE(i);

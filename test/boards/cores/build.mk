@@ -130,7 +130,7 @@ TEST := -std=gnu++14 -O1 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/%.cpp,$(OUT)/core/%.o,$(wildcard $(ROOT)/src/sbus*/*.cpp))
 
 comma := ,
-SIMULATION := $(addprefix simulation/,SimulatedBus SimulatedReceiver BusJudge Flight) LineSettings
+SIMULATION := $(addprefix simulation/,SimulatedBus SimulatedReceiver Choreography) LineSettings
 
 # On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
 with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g',cat)

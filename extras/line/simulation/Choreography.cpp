@@ -1,10 +1,36 @@
 #include "line/simulation/Choreography.h"
+
 #include "line/simulation/Hand.h"
 #include "sbus/Frame.h"
 
 namespace line {
 
 namespace {
+
+constexpr uint32_t FlightMs = 15000;
+constexpr uint32_t RadioOffMs = 9500;
+constexpr uint32_t FailsafeMs = 10000;  // after half a second of lost frames the receiver is in failsafe
+constexpr uint32_t RadioOnMs = 12500;
+
+Radio flightRadio(uint32_t frameNumber, uint32_t ms) {
+  const bool off = ms >= RadioOffMs && ms < RadioOnMs;
+  if (off && ms >= FailsafeMs) {
+    return Radio::Failsafe;
+  }
+  return off || isLostInFlight(frameNumber) ? Radio::Lost : Radio::Received;
+}
+
+void fly(uint32_t, uint32_t ms, uint16_t *channels) {
+  std::fill_n(channels, sbus::ProportionalCount, Centre);
+  channels[0] = stick(ms, 3100, 600);         // aileron
+  channels[1] = stick(ms + 700, 4300, 450);   // elevator
+  channels[2] = sweep(ms, 6000);              // throttle
+  channels[3] = stick(ms + 1900, 5200, 300);  // rudder
+  channels[4] = twoPositions(ms, 2500);
+  channels[5] = threePositions(ms, 1700);
+  channels[16] = ms / 2000 % 2;
+  channels[17] = ms / 3000 % 2;
+}
 
 constexpr uint32_t CalibrationMs = 40000;
 constexpr size_t SticksCount = 4;  // CH1..CH4: aileron, elevator (reversed), throttle, rudder
@@ -77,7 +103,7 @@ void glide(const Section &left, const Section &right, uint32_t frameNumber, uint
   std::copy(to + SticksCount, to + HandCount, channels + SticksCount);
 }
 
-void move(uint32_t frameNumber, uint32_t ms, uint16_t *channels) {
+void moveToCalibrate(uint32_t frameNumber, uint32_t ms, uint16_t *channels) {
   std::fill_n(channels, sbus::ProportionalCount, Centre);
   std::fill_n(channels + sbus::ProportionalCount, sbus::ChannelCount - sbus::ProportionalCount, uint16_t{0});
   const Section *section = Sections;
@@ -91,12 +117,13 @@ void move(uint32_t frameNumber, uint32_t ms, uint16_t *channels) {
   }
 }
 
-Radio radio(uint32_t frameNumber, uint32_t) {
+Radio calibrationRadio(uint32_t frameNumber, uint32_t) {
   return isLostInFlight(frameNumber) ? Radio::Lost : Radio::Received;
 }
 
 }  // namespace
 
-const Choreography CalibrationMoves = {CalibrationMs, radio, move};
+const Choreography Flight = {FlightMs, flightRadio, fly};
+const Choreography CalibrationMoves = {CalibrationMs, calibrationRadio, moveToCalibrate};
 
 }  // namespace line
