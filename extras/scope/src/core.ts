@@ -1,6 +1,6 @@
 // The library itself, compiled to WebAssembly (../wasm). All knowledge of S.Bus is there.
 
-import wasm from '../scope.wasm.gz?inline';
+import wasm from '../scope.wasm.gz';
 import { type CalibrationError, type Finding, Flag, Kind, ReadConditionReader, type Scale } from './border';
 import type { Stretch } from './line';
 import { imports, Native } from './native';
@@ -36,8 +36,7 @@ interface Condition {
 
 // Packed it is a third as large.
 async function unpacked(): Promise<Uint8Array> {
-  const packed = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
-  return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+  return new Uint8Array(await new Response(new Blob([wasm]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
 
 export class Core {

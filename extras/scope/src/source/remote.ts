@@ -8,7 +8,6 @@ import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
 import type { Answer, Live, LiveState, Opening, Picture, Request, Wire } from '../worker/messages';
 import { findPort } from '../worker/portFeed';
-import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
 
 const noWorker: Problem = {
@@ -330,10 +329,13 @@ export class Remote implements Line {
 }
 
 function makeWorker(): Worker {
+  const url = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
   try {
-    return new PlayingWorker();
+    return new Worker(url);
   } catch {
     throw noWorker;
+  } finally {
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
   }
 }
 
