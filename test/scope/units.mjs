@@ -1,13 +1,17 @@
 // The parts of the page that are no view: the history, the viewport, the statistics and the faults. No browser.
 //   node units.mjs [SEED]
 import assert from 'node:assert/strict';
-import { load } from './modules.mjs';
+import { readdirSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { load, sources } from './modules.mjs';
+import { Native } from './native.mjs';
 
 const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
 const { intervals, losses } = await load('statistics');
-const { Fault } = await load('faults');
+const { Fault } = await load('messages');
 const { FaultIndex, mostSpans } = await load('worker/faultIndex');
+const { gapOf } = (await new Native().load()).wasm;
 
 let seed = Number(process.argv[2] ?? 20181);
 const first = seed;
@@ -127,7 +131,7 @@ function faulty(count, faults) {
 }
 
 check('the next fault after any time, and the one before, are those in a list of all faults', () => {
-  const faults = new FaultIndex(2e9);
+  const faults = new FaultIndex(2e9, gapOf);
   const spans = faulty(100000, faults);
   assert.ok(spans.length > 300, `${spans.length}`);
   assert.deepEqual(faults.counts(), [0, 1, 2, 3, 4, 5].map((fault) => spans.filter((span) => span.fault === fault).length));
@@ -147,7 +151,7 @@ check('the next fault after any time, and the one before, are those in a list of
 
 check('if there are more faults than room, neighbours become one, and each still begins where a fault does', () => {
   const count = 40 * mostSpans;
-  const faults = new FaultIndex(3e6 * count);
+  const faults = new FaultIndex(3e6 * count, gapOf);
   for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, lateUs: 0, damagedUs: 0 });
   faults.finish(3e6 * count);
   const lost = faults.counts()[Fault.LostFrame];
@@ -162,7 +166,7 @@ check('if there are more faults than room, neighbours become one, and each still
 });
 
 check('a sketch that prints once a second is not silent; three missing rows are the fault "no frames"', () => {
-  const faults = new FaultIndex(1e8);
+  const faults = new FaultIndex(1e8, gapOf);
   for (let i = 0; i < 100; i++) {
     faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 }); // its bytes
     if (i < 50 || i > 53) faults.take({ endUs: 1e6 * i, kind: 4, flags: 0, lateUs: 0, damagedUs: 0 });
@@ -173,10 +177,24 @@ check('a sketch that prints once a second is not silent; three missing rows are 
 });
 
 check('bytes without any frame are the fault "no frames", from the first to the last', () => {
-  const faults = new FaultIndex(1e7);
+  const faults = new FaultIndex(1e7, gapOf);
   for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 });
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
+});
+
+check('no module of the page needs itself, also not for a type; what page and worker tell each other needs only the border', () => {
+  const modules = readdirSync(sources, { recursive: true }).filter((name) => /(?<!\.d)\.ts$/.test(name)).map((name) => name.slice(0, -3));
+  const needs = new Map(modules.map((name) => {
+    const text = readFileSync(path.join(sources, `${name}.ts`), 'utf8');
+    return [name, [...text.matchAll(/ from '(\.[^']+)';/g)].map(([, other]) => path.join(path.dirname(name), other))];
+  }));
+  assert.deepEqual(needs.get('messages'), ['border']);
+  while (needs.size > 0) {
+    const free = [...needs.keys()].filter((name) => !needs.get(name).some((other) => needs.has(other)));
+    assert.ok(free.length > 0, `in a circle, or before one: ${[...needs.keys()]}`);
+    free.forEach((name) => needs.delete(name));
+  }
 });
 
 process.exit(failed > 0 ? 1 : 0);

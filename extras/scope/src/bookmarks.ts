@@ -4,11 +4,7 @@
 //   # bookmark 16120 stall    us
 
 import { shownSeconds } from './clock';
-
-export interface Bookmark {
-  us: number;
-  name: string;
-}
+import type { Bookmark } from './messages';
 
 export const longestName = 60; // characters
 

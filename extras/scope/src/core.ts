@@ -5,26 +5,9 @@ import { type CalibrationError, type Finding, Flag, Kind, ReadConditionReader, t
 import type { Stretch } from './line';
 import { imports, Native } from './native';
 import type { SensorType } from './sensors';
+import type { Range } from './unit';
 
 export { CalibrationError, Scale } from './border';
-
-export interface Setting {
-  baud: number;
-  inverted: boolean;
-}
-
-export interface Simulation {
-  calibration: boolean;
-  channels: 16 | 24 | 32;
-  noise: number; // disturbances a second
-  line: Setting;
-}
-
-export interface Range {
-  low: number;
-  centre: number;
-  high: number;
-}
 
 // A condition at which the picture stops; or what is wrong with its text, and where.
 interface Condition {

@@ -1,10 +1,11 @@
 // Says at any time what is wrong with the line.
 
 import type { Core } from './core';
-import { Fault, faultNames } from './faults';
+import { faultNames } from './faults';
 import { Finding } from './border';
 import { Flag, LinkState, type Status, type Stretch } from './line';
-import type { Problem, Source } from './source/Source';
+import { Fault, type Problem } from './messages';
+import type { Source } from './source/Source';
 
 const quietestUs = 50000; // after a frame: bytes that come later belong to no frame
 const silenceUs = 1000000; // after the newest byte: the line is silent

@@ -1,13 +1,7 @@
 // The newest values of all channels, in memory of a fixed size: about five minutes of 111 frames a second.
 
 import { Flag, Kind, type Stretch } from './line';
-
-// Frames or rows, the oldest first.
-export interface Samples {
-  times: Float64Array; // s
-  values: Float64Array; // History.columns of each
-  flags: Uint8Array;
-}
+import type { Samples } from './messages';
 
 export class History implements Samples {
   static readonly capacity = 1 << 15;

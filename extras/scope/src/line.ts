@@ -1,7 +1,7 @@
 // A line as the page sees it, wherever it is decoded.
 
 import type { Kind, LinkState, Status } from './border';
-import type { Samples } from './history';
+import type { Samples } from './messages';
 
 export { Flag, Kind, LinkState, type Status } from './border';
 

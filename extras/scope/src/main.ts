@@ -1,8 +1,9 @@
 // The page's buttons.
 
 import './style.css';
-import { Core, type Setting } from './core';
+import { Core } from './core';
 import { byId, setText } from './dom';
+import type { Problem, Setting } from './messages';
 import { keepOffline } from './offline';
 import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
@@ -11,7 +12,6 @@ import { PortSource } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SecondPort, SecondRecording } from './source/second';
 import { SimulatedSource } from './source/simulated';
-import type { Problem } from './source/Source';
 import { keep, recall } from './storage';
 import { CalibrationView } from './view/calibration';
 import { KnownPorts } from './view/knownPorts';

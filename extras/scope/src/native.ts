@@ -3,7 +3,7 @@
 import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
 import type { Sample } from './faults';
 import type { Stretch } from './line';
-import type { Picture } from './worker/messages';
+import type { Picture } from './messages';
 
 const channels = 32;
 

@@ -4,8 +4,9 @@ import { shownSeconds } from './clock';
 import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
-import { type Bookmark, commentsOf } from './bookmarks';
+import { commentsOf } from './bookmarks';
 import type { Line } from './line';
+import type { Bookmark } from './messages';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 

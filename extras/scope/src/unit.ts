@@ -1,7 +1,12 @@
 // The unit of the channels' numbers: raw values of a frame, or what a sketch prints, whose unit only the user knows.
 
-import type { Range } from './core';
 import { Kind, type Stretch } from './line';
+
+export interface Range {
+  low: number;
+  centre: number;
+  high: number;
+}
 
 export interface Unit {
   raw: boolean; // 0..2047: they can be scaled

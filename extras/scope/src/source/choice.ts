@@ -1,7 +1,7 @@
 // The source that the page shows: always the one that was chosen last. The running source continues until the next one is ready,
 // and also if that one fails.
 
-import type { State } from '../worker/connection';
+import type { State } from '../messages';
 
 interface Chosen {
   readonly state: State;

@@ -1,7 +1,7 @@
 // A recording, rows of CSV or a capture of the wire, with a time line.
 
 import type { Core } from '../core';
-import type { Fault, Found } from '../faults';
+import type { Fault, Found } from '../messages';
 import { Remote } from './remote';
 import type { Source } from './Source';
 

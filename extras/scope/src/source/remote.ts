@@ -1,14 +1,10 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
-import type { Bookmark } from '../bookmarks';
-import type { Comparison } from '../comparison';
 import type { Core } from '../core';
-import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
+import type { Answer, Bookmark, Comparison, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
-import type { Answer, Live, LiveState, Opening, Picture, Request, Wire } from '../worker/messages';
 import { findPort } from '../worker/portFeed';
-import type { Problem } from './Source';
 
 const noWorker: Problem = {
   text: 'This browser cannot start a worker, which the page needs for recordings.',

@@ -1,8 +1,9 @@
 // The bookmarks of the line: set by a button or B; a card lists them, once there are some.
 
 import { clock } from '../clock';
-import { type Bookmark, type Bookmarks, commentsOf, longestName } from '../bookmarks';
+import { type Bookmarks, commentsOf, longestName } from '../bookmarks';
 import { byId, download, make, setText } from '../dom';
+import type { Bookmark } from '../messages';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 

@@ -1,12 +1,12 @@
 // Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or the curves are paused.
 
 import type uPlot from 'uplot';
-import type { Bookmark } from '../bookmarks';
 import type { Channels } from '../channels';
 import { setText } from '../dom';
 import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
+import type { Bookmark } from '../messages';
 import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
 import { CursorTable } from './cursorTable';

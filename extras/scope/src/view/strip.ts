@@ -2,9 +2,9 @@
 // Each fault has a height of its own, so that they can be told apart without colours; losses are as high as they are many.
 
 import { clock } from '../clock';
-import type { Bookmark } from '../bookmarks';
-import { binCount, Fault, faultNames, faults, type FaultMap, type Flight, type Span } from '../faults';
+import { binCount, faultNames, faults } from '../faults';
 import { byId, make, setAttribute, setText, svg } from '../dom';
+import { type Bookmark, Fault, type FaultMap, type Flight, type Span } from '../messages';
 import type { RecordingSource } from '../source/recording';
 import { Announcer } from './announcer';
 

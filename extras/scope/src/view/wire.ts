@@ -3,9 +3,9 @@
 import { secondsText, tickText } from '../clock';
 import type uPlot from 'uplot';
 import { byId, setText } from '../dom';
+import type { Wire } from '../messages';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
-import type { Wire } from '../worker/messages';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { axisOf, keepSize, plotIn, pointedAt, scalesOf } from './plot';

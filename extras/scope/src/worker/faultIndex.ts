@@ -1,7 +1,9 @@
 // Collects a recording's faults while it is decoded, in memory that does not grow.
 
-import { binCount, Fault, faults, isLate, silenceUs, type Found, type Sample, type Span } from '../faults';
+import { type Exports, Gap } from '../border';
+import { binCount, faults, silenceUs, type Sample } from '../faults';
 import { Flag, Kind } from '../line';
+import { Fault, type Found, type Span } from '../messages';
 
 export const mostSpans = 1 << 14; // of each fault
 const apartUs = 1000000; // nearer faults are one
@@ -60,7 +62,11 @@ export class FaultIndex {
   private newestUs?: number; // of the newest of them; before the first, of the first bytes
   private isRow = false; // the newest of them is a row
 
-  constructor(endUs: number) {
+  // `gapOf`: WebAssembly's.
+  constructor(
+    endUs: number,
+    private readonly gapOf: Exports['gapOf'],
+  ) {
     this.perUs = binCount / Math.max(endUs, 1);
   }
 
@@ -141,12 +147,11 @@ export class FaultIndex {
   private silence(us: number, lateUs: number): boolean {
     const fromUs = this.newestUs ?? us;
     const meanUs = (fromUs - this.firstUs) / (this.count - 1); // not known before the second row
-    const limitUs = silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity);
-    const silent = us - fromUs > limitUs;
-    if (silent) {
-      this.mark(isLate(us - fromUs, lateUs, limitUs) ? Fault.Late : Fault.NoFrames, fromUs, us);
+    const gap: Gap = this.gapOf(fromUs, us, lateUs, silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity));
+    if (gap !== Gap.Ordinary) {
+      this.mark(gap === Gap.Late ? Fault.Late : Fault.NoFrames, fromUs, us);
     }
-    return silent;
+    return gap !== Gap.Ordinary;
   }
 
   // Marks a flag: it lasts from the first frame that has it to the first that does not, or to a silence.

@@ -1,6 +1,6 @@
 // A recording's places: the decoder's states, some seconds apart, and the line's faults. It is decoded once, whenever there is time.
 
-import type { FaultMap } from '../faults';
+import type { FaultMap } from '../messages';
 import { Throttle } from '../throttle';
 import type { Decoder, Image } from './decoder';
 import { FaultIndex } from './faultIndex';
@@ -23,7 +23,7 @@ export class TapeIndex {
   ) {
     this.images = [decoder.image()];
     this.apart = Math.max(spacing, size / mostImages);
-    this.faults = new FaultIndex(endUs);
+    this.faults = new FaultIndex(endUs, decoder.calls.gapOf);
   }
 
   get us(): number {

@@ -1,12 +1,12 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
-import { Fault, type Found, type Sample } from '../faults';
+import type { Sample } from '../faults';
 import { History } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
+import { type Answer, Fault, type Found, type Live, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
 import { Decoder } from './decoder';
 import { serve } from './live';
-import type { Answer, Live, Picture, Request } from './messages';
 import { Past } from './past';
 import { findPort } from './portFeed';
 import { Search } from './search';
