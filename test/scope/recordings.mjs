@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { check, counts, downloaded, play, raw, reads, root, seek, toEnd } from './support.mjs';
+import { Native } from './native.mjs';
+import { check, counts, downloaded, frame, play, raw, reads, recorded, root, seek, toEnd } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
 const golden = path.join(root, 'test/golden');
@@ -61,6 +62,37 @@ export default async function () {
     const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
     await page.setInputFiles('#file', { name: 'mark.txt', mimeType: 'text/plain', buffer: Buffer.from(`\ufeff${text}`) });
     await reads(page, '#title', 'Recording mark.txt');
+    await toEnd(page);
+    await counts(page, 'frames', 6);
+  });
+
+  await check('a file that is cut anywhere after its first line opens: all whole lines and bytes are there, and what is left out is said', async () => {
+    const lines = [1, 2, 3].map((i) => recorded(9000 * i, frame([1000 + i])).replace(' ', '~3000 '));
+    const table = [1, 2, 3].map((i) => `${(0.009 * i).toFixed(6)},${Array.from({ length: 16 }, (_, channel) => 900 + i + channel)}\n`);
+    const json = [1, 2, 3].map((i) => `${JSON.stringify({ type: 'frame', time_us: 9000 * i, channels: Array(16).fill(1000 + i) })}\n`);
+    const header = `time,${Array.from({ length: 16 }, (_, i) => `CH${i + 1}`)}\n`;
+    for (const [head, all] of [['# 100000 baud, 8E2, inverted\n', lines], [header, table], ['', json]]) {
+      const text = head + all.join('');
+      for (let end = head.length + all[0].length + (head === header ? all[1].length : 0); end <= text.length; end++) {
+        const page = await new Native().load();
+        page.open(text.slice(0, end));
+        page.advance(100000);
+        const whole = text.slice(head.length, end).split('\n').length - 1;
+        const part = text.slice(head.length, end).split('\n').at(-1);
+        const isFrame = head.startsWith('#') && part.split(' ').length === 26 && /\w\w$/.test(part);
+        const frames = page.status(100000, 'frames');
+        const isJsonWhole = head === '' && part.endsWith('}');
+        assert.equal(frames, whole + Number(isFrame || isJsonWhole), part);
+        const isHalf = part !== '' && !isJsonWhole && (!head.startsWith('#') || !/^\d+~\d+( \w\w)+ ?$/.test(part));
+        assert.equal(/cut off/.test(page.words(page.wasm.fileNote())), isHalf, part);
+      }
+    }
+  });
+
+  await check('what is left out of a file that is cut off stands beside its name', async (page) => {
+    const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
+    await page.setInputFiles('#file', { name: 'cut.txt', mimeType: 'text/plain', buffer: Buffer.from(`${text}40`) });
+    await reads(page, '#title', 'Recording cut.txt, cut off within its last line: what was not whole is left out');
     await toEnd(page);
     await counts(page, 'frames', 6);
   });

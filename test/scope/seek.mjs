@@ -153,7 +153,7 @@ export default async function () {
     await seek(page, 350000);
     await until('no history', async () => (await downloaded(page, '#csv')).text.length > 1e6);
     const { text: before } = await downloaded(page, '#csv');
-    await drop(page, 'bad.txt', 10000, '!');
+    await drop(page, 'bad.txt', 10000, '!\n');
     await reads(page, '#notice-text', /bad\.txt: line \d+: .* is not a time/);
     await reads(page, '#title', 'Recording seek.txt');
     assert.match(await page.textContent('#position-text'), /^5:50\.0 /);

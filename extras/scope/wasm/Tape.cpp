@@ -43,13 +43,24 @@ void keep() {
   came.clear();
 }
 
-void takeLine(std::string_view text, bool isCut) {
+void takeLine(std::string_view text) {
   if (error.empty()) {
     lines++;
-    error = isCut ? reader->cutLine(text, came) : reader->line(text, came);
+    error = reader->line(text, came);
     error = error.empty() ? "" : "line " + std::to_string(lines) + ": " + error;
     keep();
   }
+}
+
+// Takes a last line that has no LF: the power may have failed within it. Returns true if all of it was left out, or its
+// last byte, since it was not whole.
+bool takeCutLine(std::string_view text) {
+  const bool isHalfByte = head.kind == line::FileKind::Recording && text.size() > 2 && text[text.size() - 2] == ' ';
+  text.remove_suffix(isHalfByte ? 2 : 0);
+  const std::string wrong = reader->cutLine(text, came);
+  const bool isLeftOut = !wrong.empty() || (head.kind == line::FileKind::Rows && came.empty());
+  keep();
+  return isLeftOut || isHalfByte;
 }
 
 void takeText(std::string_view text) {
@@ -59,7 +70,7 @@ void takeText(std::string_view text) {
   }
   for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     partOfLine += text.substr(0, end);
-    takeLine(partOfLine, false);
+    takeLine(partOfLine);
     partOfLine.clear();
     text.remove_prefix(end + 1);
   }
@@ -69,10 +80,17 @@ void takeText(std::string_view text) {
 // Returns what is wrong with a text or bytes.
 std::string finishText() {
   takeText(plain.finish());
-  if (!partOfLine.empty()) {
-    takeLine(partOfLine, true);
+  const bool mayBeCut = error.empty() && !tape.characters.empty();
+  const bool isCut = mayBeCut && !partOfLine.empty();
+  const bool isLeftOut = isCut && takeCutLine(partOfLine);
+  if (!mayBeCut && !partOfLine.empty()) {
+    takeLine(partOfLine);
   }
-  error = error.empty() ? reader->finish(came) : error;
+  const std::string missing = reader->finish(came);
+  error = error.empty() && !isCut ? missing : error;
+  if (isLeftOut || (isCut && !missing.empty())) {
+    head.note += (head.note.empty() ? "" : ", ") + std::string("cut off within its last line: what was not whole is left out");
+  }
   keep();
   tape.zeroUs = reader->zeroUs();
   if (reader->bookmarks() != nullptr) {
