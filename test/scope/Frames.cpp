@@ -1,4 +1,4 @@
-// Prints what the library decodes from a recording, as the page's "Save CSV" writes it: seconds, CH1..CH16, switches,
+// Prints what the library decodes from a recording, as the page's "Save CSV" writes it: time, CH1..CH16, switches,
 // flags. It polls after each character, and once before, when nothing has come: as a sketch whose loop() is fast does.
 #include <cstdio>
 #include <string>
@@ -24,11 +24,11 @@ void print(const uint8_t *frame, uint64_t us) {
 }  // namespace
 
 int main(int, char **arguments) {
-  std::string header = "seconds";
+  std::string header = "time";
   for (int channel = 1; channel <= sbus::ProportionalCount; channel++) {
     header += ",CH" + std::to_string(channel);
   }
-  std::puts((header + ",switch17,switch18,failsafe,lostFrame").c_str());
+  std::puts((header + ",CH17,CH18,failsafe,lostframe").c_str());
   sbus::FrameFinder finder;
   uint64_t us = 0;
   for (const line::Character character : line::readRecording(arguments[1]).characters) {

@@ -27,7 +27,7 @@ export default async function () {
     await reads(page, '#readout', / s {3}Throttle \d+ {3}CH2 /);
     await page.click('#cursors');
     await reads(page, '#cursor-values thead', 'Time1/ΔtThrottleCH2CH3CH4');
-    assert.match((await downloaded(page, '#csv')).text, /^seconds,CH1,CH2,/);
+    assert.match((await downloaded(page, '#csv')).text, /^time,CH1,CH2,/);
     await page.click('#names-open');
     await page.click('#names-clear');
     await page.click('#names-close');

@@ -4,6 +4,7 @@ import './style.css';
 import { Core } from './core';
 import { byId, setText } from './dom';
 import type { Problem, Setting } from './messages';
+import { Kind } from './line';
 import { keepOffline } from './offline';
 import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
@@ -198,7 +199,7 @@ function wire(): void {
     }
   });
   addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
-  byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16));
+  byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16, scope.newest?.kind === Kind.Row));
 
   byId('picture').addEventListener('click', () => savePicture(scope.curves.svg(scope.choice.current?.title ?? '')));
   byId('pause').addEventListener('click', () => scope.curves.pause(!scope.curves.paused));

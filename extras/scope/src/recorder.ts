@@ -63,16 +63,17 @@ export class Recorder {
   }
 }
 
-// Saves all that the history holds.
-export function saveCsv(history: History, channels: number): void {
+// Saves all that the history holds, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.
+export function saveCsv(history: History, channels: number, isBoard: boolean): void {
   const numbers = Array.from({ length: channels }, (_, i) => i);
-  const lines = [['seconds', ...numbers.map((i) => `CH${i + 1}`), 'switch17', 'switch18', 'failsafe', 'lostFrame'].join(',')];
+  const switches = isBoard ? ['switch17', 'switch18'] : channels === 16 ? ['CH17', 'CH18'] : channels === 32 ? ['DG1', 'DG2'] : [];
+  const lines = [['time', ...numbers.map((i) => `CH${i + 1}`), ...switches, 'failsafe', 'lostframe'].join(',')];
   for (let sample = history.begin; sample < history.end; sample++) {
     const values = numbers.map((i) => {
       const value = history.value(sample, i);
       return Number.isNaN(value) ? '' : +value.toPrecision(7);
     });
-    const flags = [...history.switches(sample), Number(history.failsafe(sample)), Number(history.lost(sample))];
+    const flags = [...history.switches(sample).slice(0, switches.length), Number(history.failsafe(sample)), Number(history.lost(sample))];
     lines.push([shownSeconds(history.time(sample)).toFixed(6), ...values, ...flags].join(','));
   }
   download(`sbus-${stamp()}.csv`, [lines.join('\n'), '\n'], 'text/csv');
