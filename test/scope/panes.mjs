@@ -1,6 +1,6 @@
 // Places to look from: what stands where at four sizes, panes that change their size, and only what a source has.
 import assert from 'node:assert/strict';
-import { check, codes, connect, downloaded, frame, opensWith, reads, until } from './support.mjs';
+import { check, codes, connect, downloaded, drawn, frame, opensWith, reads, recorded, seek, toEnd, until } from './support.mjs';
 
 const boxOf = (page, selector) => page.$eval(selector, (element) => {
   const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
@@ -132,6 +132,25 @@ export default async function () {
     await reads(page, '#state', 'Fine');
     for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) await until(`${selector} is not there`, () => shown(page, selector));
     assert.equal(await shown(page, '#guide'), false);
+  });
+
+  await check('a recording that is paused before its first frame shows its views; one that has ended without a frame says what it lacks', async (page) => {
+    const file = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await page.setInputFiles('#file', file('late.txt', [1, 2, 3].map((i) => recorded(5e6 + 9000 * i, frame([1000]))).join('')));
+    await reads(page, '#title', 'Recording late.txt');
+    await page.click('#play');
+    await seek(page, 0);
+    await reads(page, '#position-text', /^0:00\.0/);
+    await page.evaluate(() => fake.skip(5000));
+    await drawn(page);
+    await drawn(page);
+    assert.equal(await shown(page, '#guide'), false);
+    for (const selector of ['#bars', '#plot', '.frames']) assert.ok(await shown(page, selector), selector);
+    await page.setInputFiles('#file', file('none.txt', recorded(5e6, [1, 2, 3])));
+    await reads(page, '#title', 'Recording none.txt');
+    await toEnd(page);
+    await until('it does not say so', () => shown(page, '#guide'));
+    assert.match(await page.$eval('#guide', (guide) => guide.innerText), /The file has no frame up to here/);
   });
 
   await check('a board without a signal: its pins; the simulation: its button', async (page) => {

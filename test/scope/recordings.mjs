@@ -147,6 +147,24 @@ export default async function () {
       dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer }));
     }, [name, content, size]);
 
+  await check('dragged text raises no curtain, a file does; a folder is said', async (page) => {
+    const drag = (type) => page.evaluate((kind) => {
+      const dataTransfer = new DataTransfer();
+      if (kind === 'text') dataTransfer.setData('text/plain', 'hello');
+      else dataTransfer.items.add(new File(['x'], 'x.txt'));
+      const event = new DragEvent('dragover', { dataTransfer, cancelable: true });
+      dispatchEvent(event);
+      return [event.defaultPrevented, document.querySelector('#drop').hidden];
+    }, type);
+    assert.deepEqual(await drag('text'), [false, true]);
+    assert.deepEqual(await drag('file'), [true, false]);
+    await page.evaluate(() => dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), {
+      dataTransfer: { files: [new File([''], 'flights')], items: [{ webkitGetAsEntry: () => ({ isDirectory: true }) }] },
+    })));
+    await reads(page, '#notice-text', 'flights is a folder.');
+    assert.ok(await page.locator('#drop').isHidden());
+  });
+
   for (const [name, content, said] of [
     ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /is a picture, a document or a program/],
     ['nothing.txt', '', /is empty/],

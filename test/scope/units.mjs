@@ -11,6 +11,8 @@ const { Viewport } = await load('view/viewport');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('messages');
 const { FaultIndex, mostSpans } = await load('worker/faultIndex');
+const { withoutList } = await load('bookmarks');
+const { tidied } = await load('text');
 const { gapOf } = (await new Native().load()).wasm;
 
 let seed = Number(process.argv[2] ?? 20181);
@@ -182,6 +184,32 @@ check('bytes without any frame are the fault "no frames", from the first to the 
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
 });
+
+check('a name has no control characters, and no character of it is cut', () => {
+  const family = '\u{1F468}\u200D\u{1F469}\u200D\u{1F467}'; // 8 units, one character
+  for (const [name, most, kept] of [
+    ['  take  off\t1\n', 60, 'take off 1'], ['a\0b\x1b[1m\u0085c', 60, 'a b [1m c'], ['\0', 60, ''], ['x'.repeat(70), 60, 'x'.repeat(60)],
+    [`${'x'.repeat(59)}\u{1F600}`, 60, 'x'.repeat(59)], [`${'x'.repeat(58)}\u{1F600}`, 60, `${'x'.repeat(58)}\u{1F600}`],
+    [`${'x'.repeat(55)}${family}`, 60, 'x'.repeat(55)], [`e\u0301`.repeat(10), 5, 'e\u0301e\u0301'],
+  ]) {
+    assert.equal(tidied(name, most), kept);
+  }
+});
+
+const utf16 = (text, isBig) => Buffer.from(Buffer.from(`\ufeff${text}`, 'utf16le').map((_, i, all) => all[isBig ? i ^ 1 : i]));
+for (const [what, before, after] of [
+  ['a list', '5 0F\n# bookmarks\n# bookmark 1 a\n', '5 0F\n'],
+  ['three lists, as older pages saved them', '5 0F\n\n# bookmarks\n# bookmark 1 a\n\n# bookmarks\n\n# bookmarks\r\n# bookmark 2 b\r\n', '5 0F\n\n'],
+  ['a list that is not at the end', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n'],
+  ['a comment that looks like one', '# about # bookmarks\n5 0F\n# so # bookmarks', '# about # bookmarks\n5 0F\n# so # bookmarks\n'],
+  ['no line end', '5 0F', '5 0F\n'],
+  ['nothing but a list', '# bookmarks\n# bookmark 1 a \u{1F600}', '\n'],
+  ['UTF-16', utf16('5 0F\n# bookmarks\n# bookmark 1 \u{1F600}\n', false), '5 0F\n'],
+  ['UTF-16, big-endian', utf16('5 0F\n', true), '5 0F\n'],
+]) {
+  const kept = await new Blob(await withoutList(new Blob([before]))).text();
+  check(`a recording with ${what} is saved without a list at its end, and with a line end`, () => assert.equal(kept, after));
+}
 
 check('no module of the page needs itself, also not for a type; what page and worker tell each other needs only the border', () => {
   const modules = readdirSync(sources, { recursive: true }).filter((name) => /(?<!\.d)\.ts$/.test(name)).map((name) => name.slice(0, -3));

@@ -8,7 +8,7 @@ import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History, isSample } from './history';
 import { Kind, LinkState, type Sink, type Stretch } from './line';
-import type { Samples, State } from './messages';
+import type { Problem, Samples, State } from './messages';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
@@ -49,7 +49,7 @@ export class Scope implements Sink {
   readonly history = new History();
   readonly recorder = new Recorder();
   readonly curves: Curves;
-  readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
+  readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source), () => this.mayLeave());
   newest?: Stretch; // frame or row
   reading = ''; // the file that is being read, and how much of it
 
@@ -82,6 +82,7 @@ export class Scope implements Sink {
   constructor(
     private readonly core: Core,
     private readonly failed: (view: string, error: Error) => void,
+    problem: (problem: Problem) => void,
   ) {
     this.sensors = new Sensors(core.sensors);
     this.telemetry = new TelemetryView(this.sensors, () => this.sense());
@@ -96,13 +97,26 @@ export class Scope implements Sink {
       table: byId('cursor-values'),
     });
     this.timeline = new Timeline(this.bookmarks, () => this.endRecording());
-    this.bookmarksView = new BookmarksView(this.bookmarks, () => this.shownUs, (us) => this.visit(us));
+    this.bookmarksView = new BookmarksView(this.bookmarks, () => this.shownUs, (us) => this.visit(us), problem);
     this.trigger = new TriggerView(core, this.curves, this.frames, () => this.newest, () => this.endRecording());
   }
 
   // Saves what was recorded.
   endRecording(): void {
+    if (this.recorder.on) {
+      this.bookmarks.saved(this.choice.current?.line.recordingUs);
+    }
     this.recorder.end(this.bookmarks.all, this.choice.current?.line.us ?? 0);
+  }
+
+  // Returns how many bookmarks are lost with the line: the recording that runs, if one does, is saved.
+  get lostBookmarks(): number {
+    return this.bookmarks.lost(this.recorder.on ? this.choice.current?.line.recordingUs : undefined);
+  }
+
+  private mayLeave(): boolean {
+    const lost = this.lostBookmarks;
+    return lost === 0 || confirm(`${lost === 1 ? 'A bookmark is' : `${lost} bookmarks are`} not saved, and will be lost. Go on?`);
   }
 
   // The time that is shown, in us: a recording's position, or the curves' right edge.

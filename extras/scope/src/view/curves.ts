@@ -285,15 +285,21 @@ export class Curves {
       ctx.textBaseline = 'top';
       ctx.strokeStyle = ctx.fillStyle = palette.ink;
       ctx.setLineDash([2 * pixel, 2 * pixel]);
-      for (const { us, name } of this.bookmarks) {
+      const [from, to] = this.shownUs;
+      const gap = 4 * pixel;
+      let freeX = bbox.left; // names do not lie on each other
+      for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
         const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-        const isNear = x + ctx.measureText(name).width > bbox.left + bbox.width; // the right edge
-        ctx.textAlign = isNear ? 'right' : 'left';
+        const { width } = ctx.measureText(name);
+        const textX = x + gap + width > bbox.left + bbox.width ? x - gap - width : x + gap; // not over the right edge
         ctx.beginPath();
         ctx.moveTo(x, bbox.top);
         ctx.lineTo(x, bbox.top + bbox.height);
         ctx.stroke();
-        ctx.fillText(name, x + (isNear ? -4 : 4) * pixel, bbox.top + 2 * pixel);
+        if (textX >= freeX) {
+          ctx.fillText(name, textX, bbox.top + 2 * pixel);
+          freeX = textX + width + gap;
+        }
       }
     });
   }

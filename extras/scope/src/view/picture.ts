@@ -102,5 +102,6 @@ function paint(what: 'fill' | 'stroke', color: string): string {
 }
 
 function escaped(text: string): string {
-  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+  // XML 1.0 has no control characters.
+  return text.replace(/\p{Cc}/gu, ' ').replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }
