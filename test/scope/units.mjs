@@ -8,6 +8,8 @@ import { Native } from './native.mjs';
 
 const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
+const { EnvelopeIndex } = await load('worker/envelope');
+const { EnvelopeStrokes } = await load('view/strokes');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('messages');
 const { FaultIndex, mostSpans } = await load('worker/faultIndex');
@@ -101,6 +103,58 @@ check('a step zooms to the next round width, from any width', () => {
   assert.deepEqual([view.seconds, ...walk(-1, 1)], [1.2, 2]);
   view.zoom(0.6, 1);
   assert.deepEqual([view.seconds, ...walk(1, 1)], [1.2, 1]);
+});
+
+check('a recording can be shown from end to end, and its edge stays within it', () => {
+  const view = new Viewport();
+  view.follow(100, 0, 3600);
+  const walk = (step, count) => Array.from({ length: count }, () => {
+    view.step(step);
+    return [view.seconds, view.edge];
+  });
+  assert.deepEqual(walk(-1, 10).slice(4), [[240, 100], [480, 480], [960, 960], [1920, 1920], [3600, 3600], [3600, 3600]]);
+  for (let i = 0; i < 1000; i++) {
+    [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.place(4000 * random(), random())][i % 3]();
+    assert.ok(view.edge <= 3600 && view.seconds <= 3600 && (!view.isWide || view.begin >= -1e-9), `${view.begin} to ${view.edge}`);
+    assert.equal(view.isAway, view.edge > 100.001);
+  }
+  view.follow(100, 0);
+  assert.equal(view.seconds <= 240, true);
+});
+
+check('the envelope of a recording has the least and the greatest value of each column of pixels, and its silences', () => {
+  const [endUs, width, height] = [1000e6, 700, 1000];
+  const index = new EnvelopeIndex(endUs);
+  const columns = new Map();
+  const unit = { low: 0, high: height };
+  const add = (us, value) => index.take({ kind: 0, endUs: us, flags: us > 5e8 && us < 5.1e8 ? 8 : 0, channels: [5, value], channelCount: 2, readings: [], readingCount: 0 });
+  const partUs = endUs / index.envelope.flags.length;
+  for (let us = 20000; us < endUs; us += 20000) {
+    if (us > 7e8 && us < 7.1e8) continue;
+    const value = random() < 0.001 ? height : Math.floor(300 * random());
+    add(us, value);
+    const x = Math.round(((Math.floor(us / partUs) + 0.5) * partUs * width) / endUs);
+    const [low, high] = columns.get(x) ?? [Infinity, -Infinity];
+    columns.set(x, [Math.min(low, value), Math.max(high, value)]);
+  }
+  const strokes = new EnvelopeStrokes(index.envelope);
+  const area = { left: 0, top: 0, width, height, edge: endUs / 1e6, seconds: endUs / 1e6 };
+  const drawn = new Map();
+  const moves = [];
+  const to = (x, y) => drawn.set(x, [...(drawn.get(x) ?? []), height - y]);
+  strokes.trace({ column: 1, unit }, area, 0.1, { moveTo: (x, y) => moves.push(x) && to(x, y), lineTo: to });
+  assert.deepEqual([...drawn], [...columns]);
+  assert.deepEqual(moves, [0, 497]); // the silence ends at 710 s
+  const painted = [];
+  strokes.bands(area, (x, wide) => painted.push(x, x + wide));
+  near(Math.round(Math.min(...painted)), 350);
+  assert.ok(Math.abs(Math.max(...painted) - 357) < 2);
+  assert.deepEqual(strokes.ends(1, area), [0, height]);
+  const slow = new EnvelopeIndex(endUs);
+  for (let us = 1e6; us < endUs; us += 1e6) slow.take({ kind: 4, endUs: us, flags: 0, channels: [us], channelCount: 1, readings: [], readingCount: 0 });
+  let breaks = 0;
+  new EnvelopeStrokes(slow.envelope).trace({ column: 0, unit }, area, 3, { moveTo: () => breaks++, lineTo: () => undefined });
+  assert.equal(breaks, 1);
 });
 
 // Returns a line whose frames come every 10 ms, or after a silence, and the spans that it should have.

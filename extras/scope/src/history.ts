@@ -3,6 +3,8 @@
 import { Flag, Kind, type Stretch } from './line';
 import type { Samples } from './messages';
 
+export const keptSeconds = 240; // of a usual line, at least
+
 export class History implements Samples {
   static readonly capacity = 1 << 15;
   static readonly seconds = 300;
@@ -97,7 +99,7 @@ export class History implements Samples {
 }
 
 // Returns true for a row, and for a frame that has CH1.
-export const isSample = ({ kind }: Stretch): boolean => kind !== Kind.NoFrame && kind !== Kind.Extra;
+export const isSample = ({ kind }: { kind: Kind }): boolean => kind !== Kind.NoFrame && kind !== Kind.Extra && kind !== Kind.Silence;
 
 export function samplesOf(stretches: readonly Stretch[]): Samples {
   const count = stretches.length;

@@ -39,6 +39,14 @@ export interface Samples {
   flags: Uint8Array;
 }
 
+// A whole recording, in parts of equal length: what is drawn where frames are closer than pixels.
+export interface Envelope {
+  partUs: number;
+  low: Float32Array; // by History.columns, then by part; Infinity: nothing
+  high: Float32Array; // likewise; -Infinity
+  flags: Uint8Array; // of any frame of a part
+}
+
 // Of a recording.
 export enum Fault {
   Failsafe,
@@ -204,6 +212,7 @@ export type Answer =
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
+  | { kind: 'envelope'; envelope: Envelope } // once all is decoded, of a long recording
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
   | { kind: 'compared'; id: number; comparison?: Comparison } // none: they have no frame in common
   | { kind: 'report'; html: string }

@@ -89,7 +89,7 @@ export class Scope implements Sink {
     this.bars = new Bars(byId('bars'), core, this.channels, () => this.choice.current?.line);
     this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
-    this.curves = new Curves(byId('plot'), this.history, this.channels, this.sensors, {
+    this.curves = new Curves(byId('plot'), this.history, this.channels, this.sensors, (us) => this.visit(us), {
       pause: byId('pause'),
       window: byId('window'),
       readout: byId('readout'),
@@ -265,7 +265,7 @@ export class Scope implements Sink {
       'The view of the counters': () => this.counters.draw(status, live?.events, source.line.isPreview),
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the bookmarks': () => this.bookmarksView.draw(),
-      'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
+      'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
       'The comparison': () => this.secondView.draw(this.curves.shownAs),
       'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),

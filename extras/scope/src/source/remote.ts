@@ -2,7 +2,7 @@
 
 import type { Core } from '../core';
 import type { Line, Sink, Status } from '../line';
-import type { Answer, Bookmark, Comparison, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
+import type { Answer, Bookmark, Comparison, Envelope, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -40,6 +40,7 @@ export class Remote implements Line {
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
+  envelope?: Envelope; // of a long one
   compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison of recordings
   comparedSoFar?: Comparison; // of a live line with the one beside it
   wire?: Wire; // the part that was asked for last
@@ -284,6 +285,8 @@ export class Remote implements Line {
       this.ended = undefined;
     } else if (answer.kind === 'faults') {
       this.faults = answer.map;
+    } else if (answer.kind === 'envelope') {
+      this.envelope = answer.envelope;
     } else if (answer.kind === 'flight') {
       this.flight = answer.flight;
     } else if (answer.kind === 'compared') {

@@ -1,7 +1,7 @@
 // Collects a recording's faults while it is decoded, in memory that does not grow.
 
-import { type Exports, Gap } from '../border';
-import { binCount, faults, silenceUs, type Sample } from '../faults';
+import { type Exports, Gap, type Record } from '../border';
+import { binCount, faults, silenceUs } from '../faults';
 import { Flag, Kind } from '../line';
 import { Fault, type Found, type Span } from '../messages';
 
@@ -71,7 +71,7 @@ export class FaultIndex {
   }
 
   // Takes the next stretch of the line.
-  take({ endUs, kind, flags, lateUs, damagedUs }: Sample): void {
+  take({ endUs, kind, flags, lateUs, damagedUs }: Pick<Record, 'endUs' | 'kind' | 'flags' | 'lateUs' | 'damagedUs'>): void {
     if (damagedUs > 0) {
       this.mark(Fault.Damage, damagedUs, endUs);
     }

@@ -1,6 +1,6 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
-import type { Sample } from '../faults';
+import type { RecordReader } from '../border';
 import { History } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
 import { type Answer, Fault, type Found, type Live, type Picture, type Request } from '../messages';
@@ -145,7 +145,7 @@ class Playing {
 
   private newIndex(): TapeIndex {
     const { module, tape, endUs } = this;
-    return new TapeIndex(new Decoder(module, tape), tape.size, endUs, (map) => answer({ kind: 'faults', map }));
+    return new TapeIndex(new Decoder(module, tape), tape.size, endUs, (map) => answer({ kind: 'faults', map }), (envelope) => answer({ kind: 'envelope', envelope }));
   }
 
   // Returns a decoder that is at that time, or a little before it.
@@ -291,7 +291,7 @@ class Playing {
 
   private shows(records: Uint8Array, { fault, fromUs }: Found): boolean {
     let isIn = false;
-    this.player.reader.eachSample(records, (sample) => (isIn ||= sample.endUs >= fromUs && hasFault(sample, fault)));
+    this.player.reader.each(records, (sample) => (isIn ||= sample.endUs >= fromUs && hasFault(sample, fault)));
     return isIn;
   }
 
@@ -318,7 +318,7 @@ function pictureOf({ us, reader }: Decoder, id: number, jumped: boolean, records
 
 const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
 
-function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
+function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
   const isFrame = kind !== Kind.NoFrame;
   switch (fault) {
     case Fault.Failsafe: return isFrame && (flags & Flag.Failsafe) !== 0;
