@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, codes, connect, counts, downloaded, drawn, frame, play, raw, reads, recorded, root, toEnd, until } from './support.mjs';
+import { build, check, codes, connect, counts, downloaded, drawn, frame, play, raw, reads, recorded, root, seek, toEnd, until } from './support.mjs';
 
 const pixels = (page) => page.evaluate(() => {
   const canvas = document.querySelector('#plot canvas');
@@ -187,6 +187,12 @@ export default async function () {
       await drawn(page);
       return / s {3}CH1 (1000|200) {3}CH2 \d+ {3}/.test(await page.textContent('#readout'));
     });
+    for (const ms of [60000, 900000]) { // the curves stand where they are, and a place that is sought stays
+      await seek(page, ms);
+      await reads(page, '#position-text', new RegExp(`^${ms / 60000}:00\\.0 `));
+      await page.waitForTimeout(600);
+      assert.match(await page.textContent('#position-text'), new RegExp(`^${ms / 60000}:00\\.0 `));
+    }
     await page.focus('#plot');
     await page.keyboard.press('0');
     await reads(page, '#window', '10 s');

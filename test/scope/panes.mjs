@@ -32,9 +32,10 @@ export default async function () {
     for (const selector of ['#bars', '#sticks', '#counters', '#plot']) await above(page, selector, 800);
   }, { size: { width: 1280, height: 800 } });
 
-  await check('a phone shows verdict, sticks and losses first, and all 25 bytes without scrolling sideways', async (page) => {
+  await check('a phone shows verdict, link, sticks and losses first, and all 25 bytes without scrolling sideways', async (page) => {
     await reads(page, '#state', 'Fine');
-    for (const selector of ['#verdict', '#sticks', '#losses-chart']) await above(page, selector, 844);
+    for (const selector of ['#verdict', '#state', '#sticks', '#losses-chart']) await above(page, selector, 844);
+    assert.ok((await boxOf(page, '#state')).bottom < (await boxOf(page, '#sticks')).top);
     await reads(page, '#lines li:first-child code', /^([0-9A-F]{2} ){24}[0-9A-F]{2}$/);
     const all = await page.$$eval('#lines code, #bits .byte', (places) => places.filter((each) => each.checkVisibility()).map((each) => {
       const { left, right, width } = each.getBoundingClientRect();

@@ -179,7 +179,7 @@ export default async function () {
 
   await check('a file that is too large for the memory is rejected; the notice says which command reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
-    await reads(page, '#notice-text', /year\.txt: is larger than 500 MB: sbus summary/);
+    await reads(page, '#notice-text', /year\.txt: is larger than 2 GB: sbus summary/);
   });
 
   await check('of several sources chosen before any is open, the last one stays', async (page) => {

@@ -36,11 +36,16 @@ std::deque<line::Character> came;
 std::string error;  // in a line
 std::string words;
 
+constexpr size_t CharactersMost = 170000000;  // 17 hours of frames each 9 ms, which take 1.4 GB of memory
+
 void keep() {
   for (const line::Character &character : came) {
     tape.characters.push_back(character);
   }
   came.clear();
+  if (tape.characters.size() > CharactersMost && error.empty()) {
+    error = "is longer than 17 hours, for which the page has memory: sbus summary and sbus csv can read it";
+  }
 }
 
 void takeLine(std::string_view text) {
@@ -181,10 +186,10 @@ EXPORT(sessionSamples)(unsigned count)->void {
 // The file's next bytes are in the buffer.
 EXPORT(fileText)(unsigned count)->void {
   const std::string_view bytes = transferred(count);
-  if (head.kind == line::FileKind::Bytes) {
+  if (head.kind == line::FileKind::Bytes && error.empty()) {
     reader->line(bytes, came);
     keep();
-  } else {
+  } else if (head.kind != line::FileKind::Bytes) {
     takeText(plain.put(bytes));
   }
 }

@@ -21,7 +21,7 @@ const notBeside: Problem = {
   remedy: 'Open the first port again, then press Compare… again.',
 };
 
-const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
+const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
 
@@ -69,7 +69,7 @@ export class Remote implements Line {
   // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Remote> {
     if (file.size > largest) {
-      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus summary and sbus csv can read it`);
+      throw new Error(`${file.name}: is larger than ${largest / 1e9} GB: sbus summary and sbus csv can read it`);
     }
     const worker = makeWorker();
     try {

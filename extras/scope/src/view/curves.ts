@@ -49,7 +49,7 @@ export class Curves {
   private whole?: { envelope: Envelope; strokes: EnvelopeStrokes };
   private strokes: Strokes;
   private nowUs = 0;
-  private lookedMs = Infinity; // when the user looked elsewhere
+  private movedMs = Infinity; // when the user has looked elsewhere
   private unit?: Unit;
   private palette?: Palette;
   private curves: Curve[] = [];
@@ -75,8 +75,8 @@ export class Curves {
     root.addEventListener('keydown', (event) => this.key(event));
     new Gestures(root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
-      scroll: (part) => this.look((view) => view.scroll(part)),
-      zoom: (factor, part) => this.look((view) => view.zoom(factor, part)),
+      scroll: (part) => this.move((view) => view.scroll(part)),
+      zoom: (factor, part) => this.move((view) => view.zoom(factor, part)),
       reset: () => this.look((view) => view.reset()),
     });
     this.told();
@@ -132,7 +132,7 @@ export class Curves {
 
   // +1 zooms in.
   zoom(steps: number): void {
-    this.look((view) => view.step(steps));
+    this.move((view) => view.step(steps));
   }
 
   // Removes the cursors and ends a pause: another source follows.
@@ -188,15 +188,22 @@ export class Curves {
       this.strokes = strokes;
       this.drawn.edge = NaN;
     }
-    if (view.isAway && !view.isWide && performance.now() - this.lookedMs > awayMs) {
-      this.lookedMs = Infinity;
-      this.visit(1e6 * view.edge);
+    if (performance.now() - this.movedMs > awayMs) {
+      this.movedMs = Infinity;
+      if (view.isAway && !view.isWide) {
+        this.visit(1e6 * view.edge);
+      }
     }
+  }
+
+  // The user looks elsewhere.
+  private move(act: (view: Viewport) => void): void {
+    this.movedMs = performance.now();
+    this.look(act);
   }
 
   private look(act: (view: Viewport) => void): void {
     act(this.view);
-    this.lookedMs = performance.now();
     this.told();
   }
 
@@ -260,7 +267,7 @@ export class Curves {
     } else if (event.key === 'Escape' && this.cursors.on) {
       this.cursors.clear();
     } else if (scroll !== undefined) {
-      this.look((view) => view.scroll(scroll));
+      this.move((view) => view.scroll(scroll));
     } else {
       return;
     }
@@ -298,7 +305,7 @@ export class Curves {
           (plot): void => {
             const { left, width } = plot.select;
             if (width > 4) {
-              this.look((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
+              this.move((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
               plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
             }
           },
@@ -316,6 +323,7 @@ export class Curves {
       ctx.textBaseline = 'top';
       ctx.strokeStyle = ctx.fillStyle = palette.ink;
       ctx.setLineDash([2 * pixel, 2 * pixel]);
+      ctx.textAlign = 'left';
       const [from, to] = this.shownUs;
       const gap = 4 * pixel;
       let freeX = bbox.left; // names do not lie on each other

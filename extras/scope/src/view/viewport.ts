@@ -33,7 +33,7 @@ export class Viewport {
 
   // True if its edge is where no samples are kept.
   get isAway(): boolean {
-    return this.whole > 0 && (this.edge > this.now + 0.001 || this.edge < this.oldest);
+    return this.whole > 0 && this.right !== undefined && (this.right > this.now + 0.001 || this.right < this.oldest);
   }
 
   get begin(): number {
