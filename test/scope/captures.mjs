@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { build, check, downloaded, play, reads, root, toEnd } from './support.mjs';
+import { build, check, downloaded, playToEnd, reads, root, toEnd } from './support.mjs';
 
 const bitUs = 10;
 
@@ -65,8 +65,7 @@ export default async function () {
     await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
       const capture = forms[form](edges(readFileSync(file, 'utf8'), idle));
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const wanted = rows((await downloaded(page, '#csv')).text);
       assert.ok(wanted.length > 0);
       for (const [name, content] of [[`wire.${form}`, capture], [`wire.${form}.gz`, gzipSync(capture)]]) {
@@ -81,8 +80,7 @@ export default async function () {
   for (const [how, parts, stored] of [['one entry', 0, false], ['one entry, not packed', 0, true], ['eleven entries, the last one first', 11, false]]) {
     await check(`a session of sigrok, ${how}, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, 'test/recordings/paper.txt');
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const wanted = rows((await downloaded(page, '#csv')).text);
       await choose(page, 'wire.sr', session(edges(readFileSync(file, 'utf8'), 0), parts, { stored }));
       await reads(page, '#title', 'Capture wire.sr, signal SBUS, 100000 baud, 8E2, inverted');

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { clean, fits } from './looks.mjs';
-import { build, check, drawn, frame, inWorkers, play, reads, recorded, seek, until } from './support.mjs';
+import { build, check, drawn, frame, inWorkers, play, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 const count = 6000; // frames of A, each 9 ms
 const earlierUs = 3000000; // B began that much later, and counts from there
@@ -54,8 +54,7 @@ export default async function () {
   const [a, b] = files();
 
   await check('a second recording is compared as sbus compare does it: who lost what, the delay, the drift; a click goes to a loss', async (page) => {
-    await play(page, a);
-    await page.click('#play'); // pauses
+    await playPaused(page, a);
     await page.setInputFiles('#second-file', b);
     await reads(page, '#second-title', 'B, b.txt');
     await reads(page, '#second-text', /^B is /);
@@ -86,8 +85,7 @@ export default async function () {
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
   await check("B's curves are at the same moments as A's, also after a seek and while it plays", async (page) => {
-    await play(page, a);
-    await page.click('#play');
+    await playPaused(page, a);
     await seek(page, 20000);
     await page.setInputFiles('#second-file', b);
     await reads(page, '#second-text', /^B is /);
@@ -139,8 +137,7 @@ export default async function () {
       writeFileSync(file, Array.from({ length: 1000 }, (_, i) => headers.map((header) => line(i, header)).join('')).join(''));
       return file;
     });
-    await play(page, all);
-    await page.click('#play');
+    await playPaused(page, all);
     await page.setInputFiles('#second-file', few);
     await reads(page, '#second-text', /^B is /);
     await seek(page, 10000);

@@ -1,8 +1,7 @@
 // Curves and bytes: what pointer and keyboard show of them.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, codes, connect, counts, downloaded, drawn, frame, play, raw, reads, recorded, root, seek, toEnd, until } from './support.mjs';
+import { check, codes, connect, counts, downloaded, drawn, frame, playPaused, playToEnd, raw, reads, recorded, root, seek, until } from './support.mjs';
 
 const pixels = (page) => page.evaluate(() => {
   const canvas = document.querySelector('#plot canvas');
@@ -103,8 +102,7 @@ export default async function () {
   });
 
   await check('the pointer reads time and values; dragging with Shift zooms in and pauses', async (page) => {
-    await play(page, path.join(root, 'test/recordings/paper.txt'));
-    await toEnd(page);
+    await playToEnd(page, path.join(root, 'test/recordings/paper.txt'));
     const box = await page.locator('#plot .u-over').boundingBox();
     await page.mouse.move(box.x + 0.998 * box.width, box.y + 50);
     await reads(page, '#readout', /^0\.3[678]\d s {3}CH1 995 {3}CH2 993 {3}CH3 1811 {3}CH4 992$/);
@@ -142,11 +140,8 @@ export default async function () {
   });
 
   await check('curves zoom out to a whole recording of 20 minutes, of which a single frame is seen; a part that is zoomed into is gone to', async (page) => {
-    const file = path.join(build, 'whole.txt');
     const value = (i) => (i === 30000 ? 1900 : i === 45000 ? 200 : 1000);
-    writeFileSync(file, Array.from({ length: 59999 }, (_, i) => recorded(20000 * (i + 1), frame([value(i + 1), i % 2048]))).join(''));
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, 'whole.txt', Array.from({ length: 59999 }, (_, i) => recorded(20000 * (i + 1), frame([value(i + 1), i % 2048]))).join(''));
     await reads(page, '#fault-counts', /^whole recording/);
     for (const width of [20, 30, 60, 120, 240]) {
       await page.click('#zoom-out');

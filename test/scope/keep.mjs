@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, bytesOf, check, codes, connect, counter, counts, downloaded, drawn, frame, opensWith, play, raw, recorded, root, toEnd, until } from './support.mjs';
+import { build, check, codes, connect, counter, counts, downloaded, drawn, frame, opensWith, playToEnd, raw, recorded, root, until } from './support.mjs';
 
 const bytesIn = (text) => text.split('\n').filter((line) => /^\d/.test(line)).flatMap((line) => line.split(' ').slice(1));
 
@@ -22,8 +22,7 @@ export default async function () {
     const { name, text, path: file } = await downloaded(page, '#record');
     assert.match(name, /^sbus-\d{8}-\d{6}\.txt$/);
     assert.deepEqual(bytesIn(text), sent.map((byte) => byte.toString(16).toUpperCase().padStart(2, '0')));
-    await play(page, file);
-    await toEnd(page);
+    await playToEnd(page, file);
     const values = (of) => of.trim().split('\n').slice(1).map((line) => line.slice(line.indexOf(','))).filter((line) => !line.startsWith(',7,'));
     const again = values((await downloaded(page, '#csv')).text);
     let at = 0;
@@ -48,8 +47,7 @@ export default async function () {
     const rows = (csv) => csv.trim().split('\n').slice(1).map((row) => row.split(','));
     await drawn(page); // what was recorded up to the click
     const before = rows((await downloaded(page, '#csv')).text);
-    await play(page, recording);
-    await toEnd(page);
+    await playToEnd(page, recording);
     const after = rows((await downloaded(page, '#csv')).text).slice(1, -1);
     assert.ok(after.length > 140, `${after.length}`);
     const values = (row) => String(row.slice(1));
@@ -70,8 +68,7 @@ export default async function () {
       const columns = `time,${channels},failsafe,lostframe`;
       const [file, saved, printed] = ['frames.txt', 'saved.csv', 'printed.csv'].map((each) => path.join(build, each));
       writeFileSync(file, text);
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const { text: csv } = await downloaded(page, '#csv');
       writeFileSync(saved, csv);
       writeFileSync(printed, sbus('csv', '--every-frame', '--header', '--columns', columns, file));
@@ -80,8 +77,7 @@ export default async function () {
       for (const each of [saved, printed]) {
         assert.match(sbus('summary', each), /, 5 frames, /);
         assert.equal(sbus('csv', '--every-frame', '--columns', columns.slice(5), each), told.replace(/^[^,]*,/gm, ''));
-        await play(page, each);
-        await toEnd(page);
+        await playToEnd(page, each);
         const { text: again } = await downloaded(page, '#csv');
         const values = (rows) => rows.replace(/^[^,]*,/gm, '');
         if (each === saved) assert.equal(values(again), values(csv));
@@ -101,8 +97,7 @@ export default async function () {
     assert.equal(header, 'time,CH1,CH2,CH3,CH4,switch17,switch18,failsafe,lostframe');
     assert.deepEqual(lines.map((line) => line.split(',').slice(1, 5).join(',')), rows);
     const { path: recording } = await downloaded(page, '#record');
-    await play(page, recording);
-    await toEnd(page);
+    await playToEnd(page, recording);
     await counts(page, 'rows', 3);
   });
 
@@ -123,8 +118,7 @@ export default async function () {
     const rowsOfCsv = path.join(build, 'rows.csv');
     writeFileSync(rowsOfCsv, `# sbus record /dev/ttyACM0: rows of CSV as the sketch printed them, not S.Bus\n${rows.join('\r\n')}\r\n${rows[0]}`);
     for (const file of [recording, path.join(root, 'test/recordings/board/rows.txt'), rowsOfCsv]) {
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       await counts(page, 'rows', rows.length - 1);
       const { text: csv } = await downloaded(page, '#csv');
       assert.deepEqual(csv.trim().split('\n').slice(1).map((line) => line.split(',').slice(1, 19).join(',')), rows.slice(1)); // the first is not known for one yet

@@ -29,3 +29,14 @@ function write(name) {
     return `from '${other}.mjs'`;
   }));
 }
+
+// Returns a generator of numbers from 0 to below 1, always the same ones for a seed.
+export function random(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}

@@ -1,14 +1,9 @@
 // Channels that the user names and hides.
 import assert from 'node:assert/strict';
-import { axe, check, connect, downloaded, frame, opensWith, placeOf, playRamp, raw, reads, until } from './support.mjs';
+import { clean } from './looks.mjs';
+import { check, connect, downloaded, frame, opensWith, placeOf, playRamp, raw, reads, until } from './support.mjs';
 
 const chips = (page) => page.$$eval('#bars li', (rows) => rows.filter((row) => row.offsetParent).map((row) => row.querySelector('.chip').textContent));
-
-async function clean(page) {
-  await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => axe.run(document));
-  assert.deepEqual(violations.map(({ id, nodes }) => `${id} ${nodes[0].html}`), []);
-}
 
 export default async function () {
   await check('a channel keeps its name, in its bar, curves, cursors and for screen readers; CSV has CH1 and so on', async (page) => {

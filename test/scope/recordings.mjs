@@ -4,31 +4,28 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { Native } from './native.mjs';
-import { check, counts, downloaded, frame, play, raw, reads, recorded, root, seek, toEnd } from './support.mjs';
+import { check, counts, downloaded, frame, playToEnd, raw, reads, recorded, root, seek, toEnd } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
-const golden = path.join(root, 'test/golden');
-const host = process.env.SCOPE_FRAMES; // Frames.cpp
 
 const rows = (csv) => csv.trim().split('\n').slice(1);
-const withoutTime = (row) => row.slice(row.indexOf(',') + 1);
 const channels = (row) => row.split(',').slice(1, 19).join(',');
 
 export default async function () {
   for (const name of ['paper', 'frsky-neutral', 'sbus2', 'slow/25-hz']) {
     await check(`${name}.txt: the page has the frames that the host has, and those that AllChannels prints`, async (page) => {
       const file = path.join(recordings, `${name}.txt`);
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const { text } = await downloaded(page, '#csv');
       const frames = rows(text);
-      assert.equal(text.split('\n')[0], execFileSync(host, [file], { encoding: 'utf8' }).split('\n')[0]);
-      assert.deepEqual(frames.map(withoutTime), rows(execFileSync(host, [file], { encoding: 'utf8' })).map(withoutTime));
+      const columns = 'time,ch1-ch18,failsafe,lostframe';
+      const printed = execFileSync(process.env.SCOPE_SBUS, ['csv', '--every-frame', '--header', '--columns', columns, file], { encoding: 'utf8' });
+      assert.deepEqual([text.split('\n')[0], ...frames], printed.trim().split('\n'));
       assert.ok(frames.length > 0);
       await counts(page, 'frames', frames.length);
-      const printed = path.join(golden, `AllChannels-${name}.csv`);
+      const golden = path.join(root, 'test/golden', `AllChannels-${name}.csv`);
       let at = 0;
-      for (const row of existsSync(printed) ? readFileSync(printed, 'utf8').trim().split(/\r?\n/) : []) {
+      for (const row of existsSync(golden) ? readFileSync(golden, 'utf8').trim().split(/\r?\n/) : []) {
         while (at < frames.length && channels(frames[at]) !== row) at++;
         assert.ok(at < frames.length, `the sketch has printed ${row}`);
       }
@@ -50,19 +47,9 @@ export default async function () {
     });
   }
 
-  await check("a recording's times are those of sbus csv", async (page) => {
-    await play(page, path.join(recordings, 'paper.txt'));
-    await toEnd(page);
-    const { text } = await downloaded(page, '#csv');
-    // sbus csv test/recordings/paper.txt --every-frame --columns time
-    assert.deepEqual(rows(text).map((row) => row.split(',')[0]), ['0.163000', '0.172000', '0.181000', '0.363000', '0.372000', '0.381000']);
-  });
-
   await check('a byte order mark before a recording is no error', async (page) => {
     const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
-    await page.setInputFiles('#file', { name: 'mark.txt', mimeType: 'text/plain', buffer: Buffer.from(`\ufeff${text}`) });
-    await reads(page, '#title', 'Recording mark.txt');
-    await toEnd(page);
+    await playToEnd(page, 'mark.txt', `\ufeff${text}`);
     await counts(page, 'frames', 6);
   });
 
@@ -103,9 +90,7 @@ export default async function () {
   ]) {
     await check(`the last bytes of a recording are shown: ${end}`, async (page) => {
       const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
-      await page.setInputFiles('#file', { name: 'cut.txt', mimeType: 'text/plain', buffer: Buffer.from(`${text}400000 ${end}`) });
-      await reads(page, '#title', 'Recording cut.txt');
-      await toEnd(page);
+      await playToEnd(page, 'cut.txt', `${text}400000 ${end}`);
       await reads(page, '#lines li:first-child.none code', shown);
       await counts(page, 'frames', 6);
     });
@@ -123,8 +108,7 @@ export default async function () {
   });
 
   await check('the time line goes to any place and back, at another speed, and repeats', async (page) => {
-    await play(page, path.join(recordings, 'sbus2.txt'));
-    await toEnd(page);
+    await playToEnd(page, path.join(recordings, 'sbus2.txt'));
     const all = 14;
     await counts(page, 'frames', all);
     await seek(page, 300);

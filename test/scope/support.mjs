@@ -172,11 +172,22 @@ export async function connect(page, kind = 'adapter') {
   await until('the port is not read', () => page.evaluate(() => fake.port.isLocked));
 }
 
-export async function play(page, file) {
+// Plays a file of the disk, or a text as a file of that name.
+export async function play(page, file, text) {
   const running = (await page.textContent('#title')).startsWith('Recording') ? page.workers().at(-1) : undefined;
-  await page.setInputFiles('#file', file);
+  await page.setInputFiles('#file', text === undefined ? file : { name: file, mimeType: 'text/plain', buffer: Buffer.from(text) });
   await until('the recording before it goes on', () => !running || !page.workers().includes(running));
   await reads(page, '#title', `Recording ${path.basename(file)}`);
+}
+
+export async function playPaused(page, ...file) {
+  await play(page, ...file);
+  await page.click('#play');
+}
+
+export async function playToEnd(page, ...file) {
+  await play(page, ...file);
+  await toEnd(page);
 }
 
 // To this time in the recording.

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { load, sources } from './modules.mjs';
+import { load, random as generator, sources } from './modules.mjs';
 import { Native } from './native.mjs';
 
 const { History } = await load('history');
@@ -17,9 +17,8 @@ const { withoutList } = await load('bookmarks');
 const { tidied } = await load('text');
 const { gapOf } = (await new Native().load()).wasm;
 
-let seed = Number(process.argv[2] ?? 20181);
-const first = seed;
-const random = () => (seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648;
+const seed = Number(process.argv[2] ?? 20181);
+const random = generator(seed);
 let failed = 0;
 function check(sentence, show) {
   try {
@@ -27,7 +26,7 @@ function check(sentence, show) {
     console.log(`ok scope: ${sentence}`);
   } catch (error) {
     failed++;
-    console.log(`FAILED scope: ${sentence} (seed ${first})\n${error.stack}`);
+    console.log(`FAILED scope: ${sentence} (seed ${seed})\n${error.stack}`);
   }
 }
 const filled = (count, flags = () => 0, us = (i) => 9000 * i) => {

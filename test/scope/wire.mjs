@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { clean, fits } from './looks.mjs';
+import { random } from './modules.mjs';
 import { Native } from './native.mjs';
 import { build, check, drawn, frame, reads, seek, until } from './support.mjs';
 
@@ -29,13 +30,6 @@ for (let character = 0; character < 25 * frames; character++) {
 }
 const endUs = edges.at(-1)[0] + 20000;
 const vcd = `$timescale 1us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n${edges.map(([us, high]) => `#${us}\n${high}!\n`).join('')}#${endUs}\n`;
-
-function random(state) {
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
 
 // The edges that begin before `toUs`, from the newest before `fromUs` on.
 const truth = (fromUs, toUs) => edges.filter(([us], i) => us < toUs && (edges[i + 1]?.[0] ?? Infinity) > fromUs);
