@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, codes, connect, counter, counts, downloaded, drawn, frame, opensWith, playToEnd, raw, recorded, root, until } from './support.mjs';
+import { build, bytesOf, check, codes, connect, counter, counts, downloaded, drawn, frame, opensWith, playToEnd, raw, recorded, root, until } from './support.mjs';
 
 const bytesIn = (text) => text.split('\n').filter((line) => /^\d/.test(line)).flatMap((line) => line.split(' ').slice(1));
 
@@ -38,7 +38,7 @@ export default async function () {
     await page.click('#record');
     await drawn(page);
     const from = await counter(page, 'frames');
-    await until('no frames come', async () => (await counter(page, 'frames')) > from + 150);
+    await until('no frames come', async () => (await counter(page, 'frames')) > from + 200);
     const { path: recording, text } = await downloaded(page, '#record');
     assert.match(text, /^# Simulated FrSky R-XSR/);
     assert.match(text, /\n# 100000 baud, 8E2, inverted\n/);

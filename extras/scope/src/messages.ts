@@ -194,7 +194,7 @@ export interface Picture {
   us: number;
   status: Status;
   travel: Travel[]; // by channel
-  telemetry: string[]; // see Line.telemetry()
+  telemetry: string[]; // see Remote.telemetry()
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
   faults: number; // at `us`: bits 1 << Fault

@@ -97,7 +97,7 @@ export class Native {
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
-  // See Line.telemetry().
+  // See Remote.telemetry().
   private telemetry(nowUs: number): string[] {
     return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
   }

@@ -5,7 +5,7 @@ import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
 import { commentsOf } from './bookmarks';
-import type { Line } from './line';
+import type { Remote } from './source/remote';
 import type { Bookmark } from './messages';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
@@ -17,14 +17,14 @@ export class Recorder {
   private text = '';
   private parts: Blob[] = [];
   private readonly awake = new Awake();
-  private line?: Line; // that is recorded
+  private line?: Remote; // that is recorded
 
   get on(): boolean {
     return this.line !== undefined;
   }
 
   // `title`: what is recorded, for the first line.
-  begin(line: Line, title: string): void {
+  begin(line: Remote, title: string): void {
     this.line = line;
     this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
     this.parts = [];

@@ -241,7 +241,7 @@ export class Scope implements Sink {
       return;
     }
     const nowUs = source.nowUs();
-    source.line.advance(nowUs, this);
+    source.line.advance(this);
     this.recorder.poll();
     const status = source.line.status();
     const { newest } = this;

@@ -1,7 +1,7 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
-import type { Line, Sink, Status } from '../line';
+import type { Sink, Status } from '../line';
 import type { Answer, Bookmark, Comparison, Envelope, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
@@ -33,7 +33,7 @@ interface Channel {
 
 let lines = 0;
 
-export class Remote implements Line {
+export class Remote {
   wantedUs = 0; // the position to play to
   note = ''; // what a user should know of a file
   zeroUs = 0; // a file's own time at time 0, not above 0
@@ -44,7 +44,7 @@ export class Remote implements Line {
   compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison of recordings
   comparedSoFar?: Comparison; // of a live line with the one beside it
   wire?: Wire; // the part that was asked for last
-  recordingUs = 0; // from when on the newest recording counts
+  recordingUs = 0; // the line's time from which the newest recording counts
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -206,8 +206,8 @@ export class Remote implements Line {
     return this.picture.faults;
   }
 
-  // Ignores the time: what was asked for comes with one of the next pictures.
-  advance(_nowUs: number, sink: Sink): void {
+  // Hands over all that has come, and asks for what is wanted: that comes with one of the next pictures.
+  advance(sink: Sink): void {
     for (const answer of this.came.splice(0)) {
       this.show(answer, sink);
     }
@@ -220,14 +220,18 @@ export class Remote implements Line {
     return this.picture.status;
   }
 
+  // True until the line before the place that it has jumped to is decoded: what the status counts, and the link quality, is not known.
   get isPreview(): boolean {
     return this.picture.isPreview === true;
   }
 
+  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's
+  // readings, name, value and unit, with tabs between. Empty without telemetry.
   telemetry(): readonly string[] {
     return this.picture.telemetry;
   }
 
+  // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
   travel(channel: number): [number, number] | undefined {
     return this.picture.travel[channel];
   }
@@ -240,12 +244,14 @@ export class Remote implements Line {
     this.ask({ kind: 'record', on: true });
   }
 
+  // Returns what was recorded since the last call.
   takeRecorded(): string {
     const { text } = this;
     this.text = '';
     return text;
   }
 
+  // Ends the recording. Returns the rest of it.
   endRecorded(): Promise<string> {
     if (this.failure) {
       return Promise.resolve(this.takeRecorded());

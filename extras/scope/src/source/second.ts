@@ -94,7 +94,7 @@ export class SecondRecording extends Second {
       } else {
         line.seek(us);
       }
-      line.advance(us, this);
+      line.advance(this);
     }
   }
 
@@ -122,7 +122,8 @@ export class SecondPort extends Second {
   }
 
   follow(): void {
-    this.line.advance(this.source.nowUs(), this);
+    this.source.nowUs();
+    this.line.advance(this);
   }
 
   at(us: number): number {

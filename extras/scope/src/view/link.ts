@@ -84,7 +84,7 @@ export class LinkView {
     }
   }
 
-  // `isPreview`: see Line.
+  // `isPreview`: see Remote.
   draw(status: Status, newest: Stretch | undefined, isPreview: boolean): void {
     const state = status.state as LinkState;
     setText(this.state, stateNames[state]);

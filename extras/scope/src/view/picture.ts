@@ -2,8 +2,7 @@
 
 import { shownSeconds, widthText } from '../clock';
 import { ticksOf, type Unit } from '../unit';
-import { colorOf, dashOf } from './dash';
-import type { Palette } from './palette';
+import { colorOf, dashOf, type Palette } from './palette';
 import type { Area, Curve, Strokes } from './strokes';
 
 const width = 1200;

@@ -4,8 +4,7 @@ import { shownSeconds } from '../clock';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { ticksOf, type Unit } from '../unit';
-import { colorOf, dashOf } from './dash';
-import type { Palette } from './palette';
+import { colorOf, dashOf, type Palette } from './palette';
 import type { Area, Curve, Pen, Strokes } from './strokes';
 
 // Makes a plot that fills an element.
