@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { Native } from './native.mjs';
-import { check, counts, downloaded, frame, playToEnd, raw, reads, recorded, root, seek, toEnd } from './support.mjs';
+import { check, counts, downloaded, frame, play, playToEnd, raw, reads, recorded, root, seek, toEnd } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
 
@@ -82,6 +82,12 @@ export default async function () {
     await reads(page, '#title', 'Recording cut.txt, cut off within its last line: what was not whole is left out');
     await toEnd(page);
     await counts(page, 'frames', 6);
+  });
+
+  await check('a recording that says when it began has date and time beside its name', async (page) => {
+    await play(page, 'began.txt', `# format 1, began 2026-11-24T15:16:18Z\n${recorded(9000, frame([1000]))}`);
+    const local = await page.evaluate(() => new Date('2026-11-24T15:16:18Z').toLocaleString());
+    await reads(page, '#title', `Recording began.txt, of ${local}`);
   });
 
   for (const [end, shown] of [

@@ -37,6 +37,7 @@ export class Remote {
   wantedUs = 0; // the position to play to
   note = ''; // what a user should know of a file
   zeroUs = 0; // a file's own time at time 0, not above 0
+  startUs?: number; // when time 0 of a recording was, in us since 1970, if it says so
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
@@ -87,10 +88,11 @@ export class Remote {
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const { lengthUs, carrier, bookmarks, picture, note = '', zeroUs = 0 } = await opened;
+      const { lengthUs, carrier, bookmarks, picture, note = '', zeroUs = 0, startUs } = await opened;
       const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, bookmarks, carrier, picture).listening();
       remote.note = note;
       remote.zeroUs = zeroUs;
+      remote.startUs = startUs;
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
         remote.fail();

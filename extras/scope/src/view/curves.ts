@@ -77,6 +77,8 @@ export class Curves {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
       scroll: (part) => this.move((view) => view.scroll(part)),
       zoom: (factor, part) => this.move((view) => view.zoom(factor, part)),
+      step: (steps) => this.zoom(steps),
+      end: () => this.pause(false),
       reset: () => this.look((view) => view.reset()),
     });
     this.told();
@@ -250,24 +252,14 @@ export class Curves {
     setText(this.ui.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
   }
 
+  // Gestures has the other keys.
   private key(event: KeyboardEvent): void {
-    const scroll = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 }[event.key];
     if (event.key === ' ') {
       this.pause(!this.paused);
-    } else if (event.key === '+' || event.key === '=') {
-      this.zoom(1);
-    } else if (event.key === '-') {
-      this.zoom(-1);
-    } else if (event.key === 'End') {
-      this.pause(false);
-    } else if (event.key === '0') {
-      this.look((view) => view.reset());
     } else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) {
       this.cursors.toggle(true);
     } else if (event.key === 'Escape' && this.cursors.on) {
       this.cursors.clear();
-    } else if (scroll !== undefined) {
-      this.move((view) => view.scroll(scroll));
     } else {
       return;
     }

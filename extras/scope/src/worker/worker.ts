@@ -340,9 +340,9 @@ async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise
       answer({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, note, zeroUs, bookmarks } = tape;
+    const { lengthUs, carrier, note, zeroUs, startUs, bookmarks } = tape;
     playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, carrier, note, zeroUs, bookmarks, picture: playing.picture(0, false, []) });
+    answer({ kind: 'opened', lengthUs, carrier, note, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
