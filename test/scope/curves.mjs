@@ -196,4 +196,11 @@ export default async function () {
     for (let i = 0; i < 7; i++) await page.click('#zoom-out');
     await reads(page, '#window', '240 s');
   });
+
+  await check("a whole recording of a board's numbers has an axis for all of them", async (page) => {
+    await playPaused(page, 'board.csv', `time,CH1,CH2\n${Array.from({ length: 3000 }, (_, i) => `${i / 5},${i === 2500 ? -870 : i},7\n`).join('')}`);
+    await seek(page, 100000);
+    await until('its ends are not known', async () => (await page.getAttribute('#bars li:nth-child(1) .track', 'aria-valuemin')) === '-1000');
+    assert.equal(await page.getAttribute('#bars li:nth-child(1) .track', 'aria-valuemax'), '5000');
+  });
 }

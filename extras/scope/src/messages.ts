@@ -45,6 +45,7 @@ export interface Envelope {
   low: Float32Array; // by History.columns, then by part; Infinity: nothing
   high: Float32Array; // likewise; -Infinity
   flags: Uint8Array; // of any frame of a part
+  ends: [number, number]; // of all channels
 }
 
 // Of a recording.

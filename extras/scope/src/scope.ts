@@ -245,7 +245,7 @@ export class Scope implements Sink {
     this.recorder.poll();
     const status = source.line.status();
     const { newest } = this;
-    const unit = this.units.of(newest);
+    const unit = this.units.of(newest, source.line.envelope);
     byId('rows').hidden = newest?.kind !== Kind.Row;
     const aside = this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state];
     setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);

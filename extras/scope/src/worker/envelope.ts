@@ -11,7 +11,9 @@ export class EnvelopeIndex {
 
   constructor(endUs: number) {
     const size = History.columns * parts;
-    this.envelope = { partUs: endUs / parts, low: new Float32Array(size).fill(Infinity), high: new Float32Array(size).fill(-Infinity), flags: new Uint8Array(parts) };
+    this.envelope = {
+      partUs: endUs / parts, low: new Float32Array(size).fill(Infinity), high: new Float32Array(size).fill(-Infinity), flags: new Uint8Array(parts), ends: [0, 0],
+    };
   }
 
   // Takes the next stretch of the line.
@@ -24,6 +26,18 @@ export class EnvelopeIndex {
     flags[part] |= record.flags;
     this.put(0, part, record.channels, record.channelCount);
     this.put(History.channels, part, record.readings, record.readingCount);
+  }
+
+  // After the last one.
+  finish(): Envelope {
+    const { low, high, ends } = this.envelope;
+    for (let at = 0; at < History.channels * parts; at++) {
+      if (low[at] <= high[at]) {
+        ends[0] = Math.min(ends[0], low[at]);
+        ends[1] = Math.max(ends[1], high[at]);
+      }
+    }
+    return this.envelope;
   }
 
   private put(column: number, part: number, values: Float64Array, count: number): void {

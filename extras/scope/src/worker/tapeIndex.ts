@@ -56,7 +56,7 @@ export class TapeIndex {
     if (this.isComplete) {
       faults.finish(this.endUs);
       if (envelope) {
-        this.tellEnvelope(envelope.envelope);
+        this.tellEnvelope(envelope.finish());
         this.envelope = undefined;
       }
     }
