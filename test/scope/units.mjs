@@ -12,7 +12,7 @@ const { EnvelopeIndex } = await load('worker/envelope');
 const { EnvelopeStrokes } = await load('view/strokes');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('messages');
-const { FaultIndex, mostSpans } = await load('worker/faultIndex');
+const { FaultIndex } = await load('worker/faultIndex');
 const { withoutList } = await load('bookmarks');
 const { tidied } = await load('text');
 const { gapOf } = (await new Native().load()).wasm;
@@ -202,22 +202,6 @@ check('the next fault after any time, and the one before, are those in a list of
     assert.deepEqual(faults.after(span), spans[i + 1] && { ...spans[i + 1], number: i + 2 });
     assert.deepEqual(faults.before(span), spans[i - 1] && { ...spans[i - 1], number: i });
   });
-});
-
-check('if there are more faults than room, neighbours become one, and each still begins where a fault does', () => {
-  const count = 40 * mostSpans;
-  const faults = new FaultIndex(3e6 * count, gapOf);
-  for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, lateUs: 0, damagedUs: 0 });
-  faults.finish(3e6 * count);
-  const lost = faults.counts()[Fault.LostFrame];
-  assert.ok(lost > 0 && lost <= mostSpans, `${lost}`);
-  let found = faults.after({ fromUs: -1 });
-  for (let number = 1; found; number++, found = faults.after(found)) {
-    assert.equal(found.number, number);
-    assert.equal(found.fault, Fault.LostFrame);
-    assert.equal((found.fromUs / 3e6) % 2, 1);
-  }
-  assert.ok(faults.bins.every((bin) => bin === 1 << Fault.LostFrame));
 });
 
 check('a sketch that prints once a second is not silent; three missing rows are the fault "no frames"', () => {

@@ -16,25 +16,12 @@ export interface Verdict extends Problem {
   severity: Severity;
 }
 
-// How severe the findings are; those that are well are not here.
+// Findings that are neither well nor an alarm.
 const severities: Partial<Record<Finding, Severity>> = {
-  [Finding.NoSignal]: 'alarm',
-  [Finding.IBus]: 'alarm',
-  [Finding.Crsf]: 'alarm',
-  [Finding.FPort]: 'alarm',
-  [Finding.Sumd]: 'alarm',
-  [Finding.Spektrum]: 'alarm',
-  [Finding.NoFrames]: 'alarm',
   [Finding.Channels24]: 'note',
-  [Finding.WrongPolarity]: 'alarm',
-  [Finding.WrongBaud]: 'alarm',
-  [Finding.WrongPolarityAndBaud]: 'alarm',
   [Finding.PolledTooSeldom]: 'warning',
   [Finding.InterruptsOff]: 'warning',
   [Finding.Noise]: 'warning',
-  [Finding.NoPulses]: 'alarm',
-  [Finding.Failsafe]: 'alarm',
-  [Finding.NoRadio]: 'alarm',
   [Finding.Lossy]: 'warning',
 };
 

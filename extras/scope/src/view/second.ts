@@ -6,7 +6,7 @@ import type { History } from '../history';
 import { LinkState } from '../line';
 import type { Second } from '../source/second';
 import { type Lane, together } from './curves';
-import { stateNames } from './link';
+import { stateName } from './link';
 import { axesOf, drawBands, keepSize, plotIn, pointedAt, scalesOf, seriesOf, showTime } from './plot';
 import { listOf } from './report';
 import { type Area, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
@@ -78,7 +78,7 @@ export class SecondView {
   private tell({ comparison, waiting, problem, line }: Second): void {
     const { state, linkQuality } = line.status();
     const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
-    setText(byId('second-link'), problem || `Link: ${stateNames[state as LinkState]}${quality}. ${line.live?.note ?? ''}`.trim());
+    setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${line.live?.note ?? ''}`.trim());
     if (!comparison) {
       setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : waiting);
       return;
