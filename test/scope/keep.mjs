@@ -69,7 +69,8 @@ export default async function () {
       const [file, saved, printed] = ['frames.txt', 'saved.csv', 'printed.csv'].map((each) => path.join(build, each));
       writeFileSync(file, text);
       await playToEnd(page, file);
-      const { text: csv } = await downloaded(page, '#csv');
+      const { name: savedAs, text: csv } = await downloaded(page, '#csv');
+      assert.match(savedAs, /^sbus-\d{8}-\d{6}-0m00s-0m00s\.csv$/);
       writeFileSync(saved, csv);
       writeFileSync(printed, sbus('csv', '--every-frame', '--header', '--columns', columns, file));
       const told = sbus('csv', '--every-frame', '--columns', columns, file);

@@ -1,6 +1,6 @@
 // What the user saves: a recording in the project's format, the values as CSV, or a picture.
 
-import { shownSeconds } from './clock';
+import { clock, shownSeconds } from './clock';
 import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
@@ -63,7 +63,7 @@ export class Recorder {
   }
 }
 
-// Saves all that the history holds, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.
+// Saves all that the history holds, of which the file's name has begin and end, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.
 export function saveCsv(history: History, channels: number, isBoard: boolean): void {
   const numbers = Array.from({ length: channels }, (_, i) => i);
   const switches = isBoard ? ['switch17', 'switch18'] : channels === 16 ? ['CH17', 'CH18'] : channels === 32 ? ['DG1', 'DG2'] : [];
@@ -76,7 +76,9 @@ export function saveCsv(history: History, channels: number, isBoard: boolean): v
     const flags = [...history.switches(sample).slice(0, switches.length), Number(history.failsafe(sample)), Number(history.lost(sample))];
     lines.push([shownSeconds(history.time(sample)).toFixed(6), ...values, ...flags].join(','));
   }
-  download(`sbus-${stamp()}.csv`, [lines.join('\n'), '\n'], 'text/csv');
+  const shortOf = (sample: number): string => clock(1e6 * history.time(sample)).replace(/:(\d+)\..*/, 'm$1s');
+  const ends = history.end > history.begin ? [shortOf(history.begin), shortOf(history.end - 1)] : [];
+  download(`${['sbus', stamp(), ...ends].join('-')}.csv`, [lines.join('\n'), '\n'], 'text/csv');
 }
 
 export function savePicture(svg: string): void {
