@@ -154,6 +154,7 @@ export default async function () {
       });
     }
     await drawn(page);
+    await reads(page, '#readout', /^Each column reaches from the lowest to the highest value/);
     const { text } = await downloaded(page, '#picture');
     assert.match(text, />20 min up to 11\d\d\.\d+ s<|>20 min up to 1200\.\d+ s</);
     const [, line] = / d="([^"]+)"><title>CH1</.exec(text);

@@ -1,4 +1,5 @@
-// Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or the curves are paused.
+// Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or
+// the curves are paused; or a whole recording.
 
 import type uPlot from 'uplot';
 import type { Channels } from '../channels';
@@ -248,7 +249,9 @@ export class Curves {
   // Shows the values at the pointer.
   private read(): void {
     const seconds = pointedAt(this.plot);
-    const hint = this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '';
+    const hint = this.strokes !== this.samples
+      ? 'Each column reaches from the lowest to the highest value. Zoom into a part to go there.'
+      : this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '';
     setText(this.ui.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
   }
 
