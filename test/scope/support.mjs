@@ -174,14 +174,14 @@ export async function connect(page, kind = 'adapter') {
 
 // Plays a file of the disk, or a text as a file of that name.
 export async function play(page, file, text) {
-  const running = (await page.textContent('#title')).startsWith('Recording') ? page.workers().at(-1) : undefined;
+  const running = /^(Recording|Capture)/.test(await page.textContent('#title')) ? page.workers().at(-1) : undefined;
   const whole = text === undefined ? file : path.join(build, file);
   if (text !== undefined) {
     writeFileSync(whole, text);
   }
   await page.setInputFiles('#file', whole);
   await until('the recording before it goes on', () => !running || !page.workers().includes(running));
-  await reads(page, '#title', new RegExp(`^Recording ${path.basename(file)}(, [^(]*)?$`));
+  await reads(page, '#title', new RegExp(`^(Recording|Capture) ${path.basename(file)}(, [^(]*)?$`));
 }
 
 export async function playPaused(page, ...file) {
