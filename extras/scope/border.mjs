@@ -25,6 +25,7 @@ for (const [name, file, of = name] of [
   ['LinkState', 'src/sbus/Link.h'],
   ['Finding', 'src/sbus/Diagnosis.h'],
   ['CalibrationError', 'src/sbus/Calibrator.h'],
+  ['Gap', 'extras/line/Silence.h'],
   ['Scale', scope],
   ['Kind', scope],
   ['FlightKind', 'extras/line/report/FlagSpans.h', 'Kind'],

@@ -77,7 +77,7 @@ class Clock {
 
   stm32l0_system_notify_t _notice;
   SleepClock _sleeps;
-  volatile bool _hasSlept;
+  volatile bool _hasSlept = false;
 };
 
 #else

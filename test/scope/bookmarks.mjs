@@ -1,9 +1,10 @@
 // Bookmarks: set, listed, jumped to, renamed, removed; on the strip and on the curves; kept with the recording.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { clean, fits } from './looks.mjs';
-import { check, counter, downloaded, drawn, play, playRamp, ramp, reads, seek, until } from './support.mjs';
+import path from 'node:path';
+import { build, check, counter, downloaded, drawn, play, playRamp, ramp, reads, seek, toEnd, until } from './support.mjs';
 
 const sbus = process.env.SCOPE_SBUS;
 const list = (page) => page.$$eval('#bookmarks-list li', (rows) => rows.map((row) => `${row.firstChild.textContent} ${row.children[1].value}`));
@@ -16,6 +17,16 @@ const rename = async (page, from, to) => {
   await input.fill(to);
   await input.press('Enter');
 };
+// Answers the question that comes with the next act. `asked` has the questions.
+const answers = (page, act, isYes) => {
+  const asked = [];
+  page.once('dialog', (dialog) => {
+    asked.push(dialog.message());
+    void (isYes ? dialog.accept() : dialog.dismiss());
+  });
+  return act().then(() => asked);
+};
+const asksBeforeUnload = (page) => page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
 const commentsIn = (text) => text.split('\n').filter((line) => line.startsWith('# bookmark'));
 
 // The colour of the curves' canvas at a time, in a row of pixels at which a bookmark has a dash.
@@ -82,8 +93,14 @@ export default async function () {
     await drawn(page);
     const shown = parseFloat(await page.textContent('#readout'));
     assert.ok(Math.abs(shown - at) < 0.03, `${shown}, not ${at}`);
-    await page.click('#source-simulated');
+    assert.ok(await asksBeforeUnload(page));
+    const question = 'A bookmark is not saved, and will be lost. Go on?';
+    assert.deepEqual(await answers(page, () => page.selectOption('#receiver', '24'), false), [question]);
+    assert.equal(await page.inputValue('#receiver'), '16');
+    assert.equal((await list(page)).length, 1);
+    assert.deepEqual(await answers(page, () => page.click('#source-simulated'), true), [question]);
     await until('another line has none', async () => (await list(page)).length === 0);
+    assert.ok(!(await asksBeforeUnload(page)));
   });
 
   await check('a recording that the page saves keeps its bookmarks, its readers skip them, and the page shows them again', async (page) => {
@@ -107,7 +124,7 @@ export default async function () {
     const without = text.split('\n').filter((line) => !line.startsWith('# bookmark')).join('\n');
     const csv = (input) => execFileSync(sbus, ['csv', '-'], { input, encoding: 'utf8' });
     assert.equal(csv(text), csv(without));
-    await play(page, file);
+    assert.deepEqual(await answers(page, () => play(page, file), true), ['A bookmark is not saved, and will be lost. Go on?']); // that before it
     const clock = `0:0${(Math.floor(us / 1000) / 1000).toFixed(3)}`;
     await lists(page, [`${clock} the stall`]);
     await page.click('#play');
@@ -134,12 +151,43 @@ export default async function () {
     await rename(page, 'Bookmark 2', 'two');
     await lists(page, ['0:02.000 two']);
     const second = await downloaded(page, '#bookmarks-save');
+    assert.deepEqual(commentsIn(second.text), ['# bookmarks', '# bookmark 2000000 two']);
     await play(page, second.path);
     await lists(page, ['0:02.000 two']);
     await page.click('#bookmarks-list li:nth-child(1) [title="Remove"]');
     const third = await downloaded(page, '#bookmarks-save');
     await play(page, third.path);
     await lists(page, []);
-    assert.equal(readFileSync(third.path, 'utf8').split('\n').filter((line) => /^\d/.test(line)).length, ramp.count);
+    assert.equal(third.text, readFileSync(path.join(build, 'ramp.txt'), 'utf8'));
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
+
+  await check('a recording that was changed on the disk cannot be saved: that is said, and its bookmarks stay', async (page) => {
+    await playRamp(page);
+    await page.click('#bookmark');
+    await lists(page, ['0:04.003 Bookmark 1']);
+    writeFileSync(path.join(build, 'ramp.txt'), '# another\n');
+    await page.click('#bookmarks-save');
+    await reads(page, '#notice-text', 'ramp.txt is not saved: the file has changed since it was opened, or is gone.');
+    await lists(page, ['0:04.003 Bookmark 1']);
+    assert.ok(await asksBeforeUnload(page));
+  });
+
+  await check('of 10000 bookmarks only those that the curves show cost time', async (page) => {
+    await playRamp(page);
+    const marks = Array.from({ length: 10000 }, (_, i) => `# bookmark ${i < 9990 ? 9e8 + i : 300 * i} mark ${i}\n`);
+    await play(page, 'many.txt', `${readFileSync(path.join(build, 'ramp.txt'), 'utf8')}${marks.join('')}`);
+    await until('they are listed', async () => (await page.locator('#bookmarks-list li').count()) === 10000);
+    await page.evaluate(() => {
+      const measure = CanvasRenderingContext2D.prototype.measureText;
+      fake.measured = 0;
+      CanvasRenderingContext2D.prototype.measureText = function (text) {
+        fake.measured += Number(text.startsWith('mark '));
+        return measure.call(this, text);
+      };
+    });
+    await toEnd(page);
+    await until('they are not drawn', () => page.evaluate(() => fake.measured > 0));
+    await drawn(page);
+    assert.ok((await page.evaluate(() => fake.measured)) < 5000, 'all are drawn');
+  });
 }

@@ -1,10 +1,10 @@
 // Captures of the wire: the page decodes from them what is in the recording that they were made of.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { build, check, downloaded, play, reads, root, toEnd } from './support.mjs';
+import { build, check, downloaded, playToEnd, reads, root, } from './support.mjs';
 
 const bitUs = 10;
 
@@ -65,14 +65,12 @@ export default async function () {
     await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
       const capture = forms[form](edges(readFileSync(file, 'utf8'), idle));
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const wanted = rows((await downloaded(page, '#csv')).text);
       assert.ok(wanted.length > 0);
       for (const [name, content] of [[`wire.${form}`, capture], [`wire.${form}.gz`, gzipSync(capture)]]) {
-        await choose(page, name, content);
-        await reads(page, '#title', `Capture ${name}, signal ${signal}`);
-        await toEnd(page);
+        await playToEnd(page, name, content);
+        assert.equal(await page.textContent('#title'), `Capture ${name}, signal ${signal}`);
         assert.deepEqual(rows((await downloaded(page, '#csv')).text), wanted);
       }
     });
@@ -81,12 +79,10 @@ export default async function () {
   for (const [how, parts, stored] of [['one entry', 0, false], ['one entry, not packed', 0, true], ['eleven entries, the last one first', 11, false]]) {
     await check(`a session of sigrok, ${how}, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, 'test/recordings/paper.txt');
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const wanted = rows((await downloaded(page, '#csv')).text);
-      await choose(page, 'wire.sr', session(edges(readFileSync(file, 'utf8'), 0), parts, { stored }));
-      await reads(page, '#title', 'Capture wire.sr, signal SBUS, 100000 baud, 8E2, inverted');
-      await toEnd(page);
+      await playToEnd(page, 'wire.sr', session(edges(readFileSync(file, 'utf8'), 0), parts, { stored }));
+      assert.equal(await page.textContent('#title'), 'Capture wire.sr, signal SBUS, 100000 baud, 8E2, inverted');
       assert.deepEqual(rows((await downloaded(page, '#csv')).text), wanted);
     });
   }
@@ -140,10 +136,7 @@ export default async function () {
   ]) {
     await check(`${what} is read as the command reads it`, async (page) => {
       const file = path.join(build, name);
-      writeFileSync(file, content);
-      await choose(page, name, content);
-      await reads(page, '#title', new RegExp(`^(Capture|Recording) ${name}`));
-      await toEnd(page);
+      await playToEnd(page, name, content);
       const shown = rows((await downloaded(page, '#csv')).text).map((row) => row.split(',').map(Number));
       const printed = execFileSync(process.env.SCOPE_SBUS, ['csv', file, '--every-frame', '--columns', 'time,ch1-ch16'], { stdio: ['ignore', 'pipe', 'ignore'] });
       const wanted = printed.toString().trim().split('\n').map((row) => row.split(',').map(Number));

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { clean, fits } from './looks.mjs';
-import { build, check, drawn, frame, inWorkers, play, reads, recorded, seek, until } from './support.mjs';
+import { build, check, drawn, frame, inWorkers, play, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 const count = 6000; // frames of A, each 9 ms
 const earlierUs = 3000000; // B began that much later, and counts from there
@@ -47,6 +47,11 @@ const receivers = ([frames, lost]) => {
   };
   fake.choose = () => ((fake.choices = (fake.choices ?? 0) + 1) > 1 ? fake.second : fake.port);
 };
+// The first port.
+const adapter = async (page) => {
+  await page.click('#source-adapter');
+  await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+};
 const many = Array.from({ length: 500 }, (_, i) => frame([400 + 2 * i, 992, 300 + i % 700]));
 const lost = Array.from({ length: 25 }, (_, i) => 300 + i);
 
@@ -54,8 +59,7 @@ export default async function () {
   const [a, b] = files();
 
   await check('a second recording is compared as sbus compare does it: who lost what, the delay, the drift; a click goes to a loss', async (page) => {
-    await play(page, a);
-    await page.click('#play'); // pauses
+    await playPaused(page, a);
     await page.setInputFiles('#second-file', b);
     await reads(page, '#second-title', 'B, b.txt');
     await reads(page, '#second-text', /^B is /);
@@ -86,8 +90,7 @@ export default async function () {
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
   await check("B's curves are at the same moments as A's, also after a seek and while it plays", async (page) => {
-    await play(page, a);
-    await page.click('#play');
+    await playPaused(page, a);
     await seek(page, 20000);
     await page.setInputFiles('#second-file', b);
     await reads(page, '#second-text', /^B is /);
@@ -139,8 +142,7 @@ export default async function () {
       writeFileSync(file, Array.from({ length: 1000 }, (_, i) => headers.map((header) => line(i, header)).join('')).join(''));
       return file;
     });
-    await play(page, all);
-    await page.click('#play');
+    await playPaused(page, all);
     await page.setInputFiles('#second-file', few);
     await reads(page, '#second-text', /^B is /);
     await seek(page, 10000);
@@ -168,8 +170,7 @@ export default async function () {
       await set(page, receivers, [many, lost]);
       await page.evaluate(receivers, [where === 'in the page' ? many : [], lost]);
       assert.ok(await page.locator('#compare').isHidden()); // the simulation has no second one
-      await page.click('#source-adapter');
-      await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+      await adapter(page);
       await page.click('#compare');
       await reads(page, '#second-title', 'B, FTDI FT232 (0403:6001)');
       // A frame that is read late, by a PC that is busy with other tests, may be left out; it is no loss.
@@ -227,8 +228,7 @@ export default async function () {
         feed();
       };
     }, many);
-    await page.click('#source-adapter');
-    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+    await adapter(page);
     await page.click('#compare');
     const alike = async () => Number(/(\d+) frames alike/.exec(await page.textContent('#second-text'))?.[1] ?? 0);
     await until(alike, async () => (await alike()) > 200);
@@ -244,8 +244,7 @@ export default async function () {
       await page.waitForTimeout(1500);
       await until('it is closed', () => page.evaluate((name) => !fake[name].isOpen && !fake[name].isLocked, port));
     };
-    await page.click('#source-adapter');
-    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+    await adapter(page);
     await page.click('#compare');
     await reads(page, '#second-title', /^B, /);
     await page.click('#second-close');
@@ -264,8 +263,7 @@ export default async function () {
 
   await check('a second adapter that is unplugged is said, its losses grow, and it goes on once it is plugged in; the first port cannot be the second', async (page) => {
     await page.evaluate(receivers, [Array.from({ length: 4000 }, (_, i) => frame([400 + (i % 1200), 992, 300 + (i % 700)])), []]);
-    await page.click('#source-adapter');
-    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+    await adapter(page);
     await page.evaluate(() => Object.assign(fake, { kept: fake.choose, choose: () => fake.port }));
     await page.click('#compare');
     await reads(page, '#notice-text', 'The page shows this port already.');

@@ -1,6 +1,7 @@
 // Two cursors on the curves, and the differences between them.
 import assert from 'node:assert/strict';
-import { axe, check, codes, connect, counts, drawn, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
+import { clean } from './looks.mjs';
+import { check, codes, connect, counts, drawn, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
 
 // The table: by row, then by column.
 const table = (page) => page.$$eval('#cursor-values tr', (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
@@ -103,9 +104,7 @@ export default async function () {
     await page.keyboard.press('Tab');
     await page.keyboard.press('End');
     await until('the values do not differ', async () => (await table(page))[3]?.slice(3).join() === '+0.5,+1.5');
-    await page.evaluate(axe);
-    const { violations } = await page.evaluate(() => axe.run(document));
-    assert.deepEqual(violations.map(({ id }) => id), []);
+    await clean(page);
     await page.click('#source-simulated');
     await page.waitForSelector('#cursor-values', { state: 'hidden' });
     await reads(page, '#pause', 'Pause');

@@ -1,7 +1,7 @@
 // Curves and bytes: what pointer and keyboard show of them.
 import assert from 'node:assert/strict';
-import { check, codes, connect, counts, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
 import path from 'node:path';
+import { check, codes, connect, counts, downloaded, drawn, frame, playPaused, playToEnd, raw, reads, recorded, root, seek, until } from './support.mjs';
 
 const pixels = (page) => page.evaluate(() => {
   const canvas = document.querySelector('#plot canvas');
@@ -79,31 +79,30 @@ export default async function () {
     const both = () => page.evaluate(() => [globalThis.drawn, Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''))]);
     const all = async () => (await both())[0];
     // Pictures in each 100 frames, while 100 come or, on a busy PC, more.
-    const drawn = async (frames) => {
+    const drawnIn = async (frames) => {
       const [picture, frame] = await both();
       let now;
       await until('no frames come', async () => (now = await both())[1] >= frame + frames);
       return (100 * (now[0] - picture)) / (now[1] - frame);
     };
-    assert.ok((await drawn(50)) > 6);
+    assert.ok((await drawnIn(50)) > 6);
     for (const seconds of [20, 30, 60, 120, 240]) {
       await page.click('#zoom-out');
       await reads(page, '#window', `${seconds} s`);
     }
-    const few = await drawn(200);
+    const few = await drawnIn(200);
     assert.ok(few > 0 && few <= 4, `${few}`);
     await page.click('#pause');
     await reads(page, '#pause', 'Continue');
-    await drawn(100);
-    assert.equal(await drawn(100), 0);
+    await drawnIn(100);
+    assert.equal(await drawnIn(100), 0);
     const before = await all();
     await page.click('#theme');
     await until('the theme is not drawn', async () => (await all()) > before);
   });
 
   await check('the pointer reads time and values; dragging with Shift zooms in and pauses', async (page) => {
-    await play(page, path.join(root, 'test/recordings/paper.txt'));
-    await toEnd(page);
+    await playToEnd(page, path.join(root, 'test/recordings/paper.txt'));
     const box = await page.locator('#plot .u-over').boundingBox();
     await page.mouse.move(box.x + 0.998 * box.width, box.y + 50);
     await reads(page, '#readout', /^0\.3[678]\d s {3}CH1 995 {3}CH2 993 {3}CH3 1811 {3}CH4 992$/);
@@ -138,5 +137,71 @@ export default async function () {
     await page.keyboard.press('ArrowDown');
     await page.keyboard.press('ArrowRight');
     await reads(page, '#bit-text', /^The header: byte 0, bit 1\.$|^CH\d+, bit/);
+  });
+
+  await check('curves zoom out to a whole recording of 20 minutes, of which a single frame is seen; a part that is zoomed into is gone to', async (page) => {
+    const value = (i) => (i === 30000 ? 1900 : i === 45000 ? 200 : 1000);
+    await playPaused(page, 'whole.txt', Array.from({ length: 59999 }, (_, i) => recorded(20000 * (i + 1), frame([value(i + 1), i % 2048]))).join(''));
+    await reads(page, '#fault-counts', /^whole recording/);
+    for (const width of [20, 30, 60, 120, 240]) {
+      await page.click('#zoom-out');
+      await reads(page, '#window', `${width} s`);
+    }
+    for (const width of ['8 min', '20 min', '20 min']) {
+      await until(`there is no ${width}`, async () => {
+        await page.click('#zoom-out'); // the envelope comes a moment after the faults
+        return (await page.textContent('#window')) === width;
+      });
+    }
+    await drawn(page);
+    await reads(page, '#readout', /^Each column reaches from the lowest to the highest value/);
+    const { text } = await downloaded(page, '#picture');
+    assert.match(text, />20 min up to 11\d\d\.\d+ s<|>20 min up to 1200\.\d+ s</);
+    const [, line] = / d="([^"]+)"><title>CH1</.exec(text);
+    const points = [...line.matchAll(/[ML]([\d.]+) ([\d.]+)/g)].map(([, x, y]) => [((x - 70) / 1110) * 1200, 2047 * (1 - (y - 64) / 420)]);
+    const at = (wanted) => points.filter(([, one]) => Math.abs(one - wanted) < 4).map(([seconds]) => seconds);
+    assert.ok(at(1900).length === 1 && Math.abs(at(1900)[0] - 600) < 2, String(at(1900)));
+    assert.ok(at(200).length === 1 && Math.abs(at(200)[0] - 900) < 2, String(at(200)));
+    assert.ok(points[0][0] < 2 && points.at(-1)[0] > 1198);
+    const over = await page.locator('#plot .u-over').boundingBox();
+    const to = (seconds) => page.mouse.move(over.x + (over.width * seconds) / 1200, over.y + 40);
+    let x = 599;
+    await until('the frame is not read', async () => {
+      await to((x = x > 601 ? 599 : x + 0.1));
+      return /^(9:59|10:00)\.\d to 10:00\.\d {3}CH1 1000 to 1900 {3}CH2 \d+ to \d+/.test(await page.textContent('#readout'));
+    });
+    await to(896);
+    await page.keyboard.down('Shift');
+    await page.mouse.down();
+    await to(904);
+    await page.mouse.up();
+    await page.keyboard.up('Shift');
+    await reads(page, '#window', '10 s');
+    await reads(page, '#position-text', /^15:0[0-9]\.\d /);
+    await until('its frame is not read', async () => {
+      await page.mouse.move(over.x + over.width * ((x += 0.01) % 1), over.y + 40);
+      await drawn(page);
+      return / s {3}CH1 (1000|200) {3}CH2 \d+ {3}/.test(await page.textContent('#readout'));
+    });
+    for (const ms of [60000, 900000]) { // the curves stand where they are, and a place that is sought stays
+      await seek(page, ms);
+      await reads(page, '#position-text', new RegExp(`^${ms / 60000}:00\\.0 `));
+      await page.waitForTimeout(600);
+      assert.match(await page.textContent('#position-text'), new RegExp(`^${ms / 60000}:00\\.0 `));
+    }
+    await page.focus('#plot');
+    await page.keyboard.press('0');
+    await reads(page, '#window', '10 s');
+    await page.click('#source-simulated');
+    await reads(page, '#state', 'Fine');
+    for (let i = 0; i < 7; i++) await page.click('#zoom-out');
+    await reads(page, '#window', '240 s');
+  });
+
+  await check("a whole recording of a board's numbers has an axis for all of them", async (page) => {
+    await playPaused(page, 'board.csv', `time,CH1,CH2\n${Array.from({ length: 3000 }, (_, i) => `${i / 5},${i === 2500 ? -870 : i},7\n`).join('')}`);
+    await seek(page, 100000);
+    await until('its ends are not known', async () => (await page.getAttribute('#bars li:nth-child(1) .track', 'aria-valuemin')) === '-1000');
+    assert.equal(await page.getAttribute('#bars li:nth-child(1) .track', 'aria-valuemax'), '5000');
   });
 }

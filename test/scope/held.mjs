@@ -1,8 +1,6 @@
 // One state of the link for all: it does not flicker, and a fault of the page or of a port stays said.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
-import path from 'node:path';
-import { build, check, connect, counter, counts, downloaded, frame, opensWith, play, raw, reads, recorded, toEnd, until } from './support.mjs';
+import { check, connect, counter, counts, downloaded, frame, opensWith, play, playToEnd, raw, reads, recorded, until } from './support.mjs';
 
 const good = frame([1000]);
 const lost = frame([1000], { flags: 4 });
@@ -55,10 +53,7 @@ export default async function () {
   });
 
   await check('too many lost frames in a row are failsafe everywhere: link, indicator, strip and CSV, as for `sbus csv`', async (page) => {
-    const file = path.join(build, 'losses.txt');
-    writeFileSync(file, Array.from({ length: 160 }, (_, i) => recorded(9000 * (i + 1), i < 10 ? good : lost)).join(''));
-    await play(page, file);
-    await toEnd(page);
+    await playToEnd(page, 'losses.txt', Array.from({ length: 160 }, (_, i) => recorded(9000 * (i + 1), i < 10 ? good : lost)).join(''));
     await reads(page, '#state', 'Failsafe');
     await reads(page, '#indicator-failsafe .value', 'by losses');
     await reads(page, '#verdict-text', /^No radio/);
@@ -68,9 +63,7 @@ export default async function () {
   });
 
   await check('at a fault the verdict never says that all is well', async (page) => {
-    const file = path.join(build, 'single.txt');
-    writeFileSync(file, Array.from({ length: 400 }, (_, i) => recorded(9000 * (i + 1), i === 200 ? lost : good)).join(''));
-    await play(page, file);
+    await play(page, 'single.txt', Array.from({ length: 400 }, (_, i) => recorded(9000 * (i + 1), i === 200 ? lost : good)).join(''));
     await reads(page, '#fault-counts', /^whole recording: 1 fault/);
     await page.focus('#position');
     await page.keyboard.press('n');
@@ -99,9 +92,7 @@ export default async function () {
   for (const [what, begin] of [
     ['the simulation', () => undefined],
     ['a recording', async (page) => {
-      const file = path.join(build, 'worker.txt');
-      writeFileSync(file, Array.from({ length: 2000 }, (_, i) => recorded(9000 * (i + 1), good)).join(''));
-      await play(page, file);
+      await play(page, 'worker.txt', Array.from({ length: 2000 }, (_, i) => recorded(9000 * (i + 1), good)).join(''));
     }],
   ]) {
     await check(`a worker that fails while it decodes ${what} stays said, and what was recorded is saved; another source goes on`, async (page) => {

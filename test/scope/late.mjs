@@ -1,9 +1,7 @@
 // A busy PC: what it reads late is no silence of the line.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
-import path from 'node:path';
 import { Native } from './native.mjs';
-import { build, check, connect, counter, counts, downloaded, frame, inWorkers, play, reads, recorded, toEnd, until } from './support.mjs';
+import { check, connect, counter, counts, downloaded, frame, inWorkers, play, playToEnd, reads, recorded, toEnd, until } from './support.mjs';
 
 const good = frame([1000]);
 
@@ -87,23 +85,20 @@ export default async function () {
       await page.waitForTimeout(50);
     }
     const { path: file } = await downloaded(page, '#record');
-    await play(page, file);
-    await toEnd(page);
+    await playToEnd(page, file);
     await until('it is not decoded', async () => !/decoded/.test(await page.textContent('#fault-counts')));
     // Record may be pressed within a frame: half a frame is damage, not silence.
     assert.match(await page.textContent('#fault-counts'), /no frames: 0 ×/);
   });
 
   await check('in a recording of a PC that was late 0.3 s, this is a fault of its own; the link stays fine, and a cut wire is still a silence', async (page) => {
-    const file = path.join(build, 'stalls.txt');
     const line = (ms, lateUs) => recorded(`${1000 * ms}~${lateUs}`, good);
     const lines = Array.from({ length: 400 }, (_, i) => {
       const end = 9 * (i + 1) + (i >= 300 ? 500 : 0);
       const late = i >= 100 && i < 133;
       return line(late ? 9 * 133 - 3 * (132 - i) : end, late ? 318000 : 35000);
     });
-    writeFileSync(file, lines.join(''));
-    await play(page, file);
+    await play(page, 'stalls.txt', lines.join(''));
     await reads(page, '#fault-counts', /no frames: 1 ×.*PC late: 1 ×/);
     await page.focus('#position');
     await page.keyboard.press('n');

@@ -1,7 +1,7 @@
 // Sizes, themes, keyboard and screen readers.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { axe, check, connect, fingers, frame, play, reads, root, toEnd, until } from './support.mjs';
+import { axe, check, connect, fingers, frame, playToEnd, reads, root, until } from './support.mjs';
 
 const sizes = {
   desktop: { width: 1440, height: 900 },
@@ -76,8 +76,7 @@ export default async function () {
 
   for (const [name, size] of Object.entries(sizes)) {
     await check(`${name}, a recording with its strip: it fits, and axe-core finds nothing`, async (page) => {
-      await play(page, path.join(root, 'test/recordings/paper.txt'));
-      await toEnd(page);
+      await playToEnd(page, path.join(root, 'test/recordings/paper.txt'));
       await page.click('#fault-back');
       await reads(page, '#fault-text', 'Fault 1 of 1: no frames, 0:00.181 to 0:00.363.');
       await fits(page);

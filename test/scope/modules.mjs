@@ -5,8 +5,9 @@ import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
-const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope');
+export const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope');
 const { transformSync } = createRequire(path.join(build, 'npm/package.json'))('esbuild');
+export const sources = path.join(here, '../../extras/scope/src');
 const written = new Set();
 
 // Loads a module, such as 'source/port', with all that it imports.
@@ -18,7 +19,7 @@ export async function load(name) {
 function write(name) {
   if (written.has(name)) return;
   written.add(name);
-  const folder = name === 'border' ? build : path.join(here, '../../extras/scope/src'); // it is written with the WebAssembly
+  const folder = name === 'border' ? build : sources; // it is written with the WebAssembly
   const text = readFileSync(path.join(folder, `${name}.ts`), 'utf8');
   const { code } = transformSync(text, { loader: 'ts', target: 'es2022' });
   const file = path.join(build, 'modules', `${name}.mjs`);
@@ -27,4 +28,15 @@ function write(name) {
     write(path.join(path.dirname(name), other));
     return `from '${other}.mjs'`;
   }));
+}
+
+// Returns a generator of numbers from 0 to below 1, always the same ones for a seed.
+export function random(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
 }

@@ -1,14 +1,9 @@
 // Channels that the user names and hides.
 import assert from 'node:assert/strict';
-import { axe, check, connect, downloaded, frame, opensWith, placeOf, playRamp, raw, reads, until } from './support.mjs';
+import { clean } from './looks.mjs';
+import { check, connect, downloaded, frame, opensWith, placeOf, playRamp, raw, reads, until } from './support.mjs';
 
 const chips = (page) => page.$$eval('#bars li', (rows) => rows.filter((row) => row.offsetParent).map((row) => row.querySelector('.chip').textContent));
-
-async function clean(page) {
-  await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => axe.run(document));
-  assert.deepEqual(violations.map(({ id, nodes }) => `${id} ${nodes[0].html}`), []);
-}
 
 export default async function () {
   await check('a channel keeps its name, in its bar, curves, cursors and for screen readers; CSV has CH1 and so on', async (page) => {
@@ -27,7 +22,7 @@ export default async function () {
     await reads(page, '#readout', / s {3}Throttle \d+ {3}CH2 /);
     await page.click('#cursors');
     await reads(page, '#cursor-values thead', 'Time1/ΔtThrottleCH2CH3CH4');
-    assert.match((await downloaded(page, '#csv')).text, /^seconds,CH1,CH2,/);
+    assert.match((await downloaded(page, '#csv')).text, /^time,CH1,CH2,/);
     await page.click('#names-open');
     await page.click('#names-clear');
     await page.click('#names-close');

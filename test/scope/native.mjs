@@ -2,8 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { load } from './modules.mjs';
-import { build } from './support.mjs';
+import { build, load } from './modules.mjs';
 
 const { CharacterSize, Enough, RecordReader, StatusReader } = await load('border');
 

@@ -1,6 +1,6 @@
 // Places to look from: what stands where at four sizes, panes that change their size, and only what a source has.
 import assert from 'node:assert/strict';
-import { check, codes, connect, downloaded, frame, opensWith, reads, until } from './support.mjs';
+import { check, codes, connect, downloaded, drawn, frame, opensWith, reads, recorded, seek, toEnd, until } from './support.mjs';
 
 const boxOf = (page, selector) => page.$eval(selector, (element) => {
   const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
@@ -32,9 +32,10 @@ export default async function () {
     for (const selector of ['#bars', '#sticks', '#counters', '#plot']) await above(page, selector, 800);
   }, { size: { width: 1280, height: 800 } });
 
-  await check('a phone shows verdict, sticks and losses first, and all 25 bytes without scrolling sideways', async (page) => {
+  await check('a phone shows verdict, link, sticks and losses first, and all 25 bytes without scrolling sideways', async (page) => {
     await reads(page, '#state', 'Fine');
-    for (const selector of ['#verdict', '#sticks', '#losses-chart']) await above(page, selector, 844);
+    for (const selector of ['#verdict', '#state', '#sticks', '#losses-chart']) await above(page, selector, 844);
+    assert.ok((await boxOf(page, '#state')).bottom < (await boxOf(page, '#sticks')).top);
     await reads(page, '#lines li:first-child code', /^([0-9A-F]{2} ){24}[0-9A-F]{2}$/);
     const all = await page.$$eval('#lines code, #bits .byte', (places) => places.filter((each) => each.checkVisibility()).map((each) => {
       const { left, right, width } = each.getBoundingClientRect();
@@ -132,6 +133,25 @@ export default async function () {
     await reads(page, '#state', 'Fine');
     for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) await until(`${selector} is not there`, () => shown(page, selector));
     assert.equal(await shown(page, '#guide'), false);
+  });
+
+  await check('a recording that is paused before its first frame shows its views; one that has ended without a frame says what it lacks', async (page) => {
+    const file = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await page.setInputFiles('#file', file('late.txt', [1, 2, 3].map((i) => recorded(5e6 + 9000 * i, frame([1000]))).join('')));
+    await reads(page, '#title', 'Recording late.txt');
+    await page.click('#play');
+    await seek(page, 0);
+    await reads(page, '#position-text', /^0:00\.0/);
+    await page.evaluate(() => fake.skip(5000));
+    await drawn(page);
+    await drawn(page);
+    assert.equal(await shown(page, '#guide'), false);
+    for (const selector of ['#bars', '#plot', '.frames']) assert.ok(await shown(page, selector), selector);
+    await page.setInputFiles('#file', file('none.txt', recorded(5e6, [1, 2, 3])));
+    await reads(page, '#title', 'Recording none.txt');
+    await toEnd(page);
+    await until('it does not say so', () => shown(page, '#guide'));
+    assert.match(await page.$eval('#guide', (guide) => guide.innerText), /The file has no frame up to here/);
   });
 
   await check('a board without a signal: its pins; the simulation: its button', async (page) => {

@@ -11,6 +11,8 @@ const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
     };
   }, [bytes, baud, everyMs, latencyMs]);
 
+const rawOf = (channel) => `#bars li:nth-child(${channel}) .raw`;
+
 export default async function () {
   await check("an adapter is opened with S.Bus's settings, and its frames are shown", async (page) => {
     await brings(page, frame([172, 992, 1811, 1000], { flags: 1 }));
@@ -26,31 +28,34 @@ export default async function () {
     assert.deepEqual(options, { baudRate: 100000, dataBits: 8, parity: 'even', stopBits: 2, bufferSize: 4096 });
   });
 
-  await check('the frames of an adapter that was set to 1 ms are shown', async (page) => {
-    await brings(page, frame([172, 992]), 100000, 9, 1);
-    await connect(page);
-    await raw(page, 1, '172');
-    await reads(page, '#verdict-text', 'All well.');
-    await counts(page, 'discardedBytes', 0);
-  });
-
-  await check("the paper's frames are shown, though they come byte by byte", async (page) => {
-    await page.evaluate((bytes) => (fake.port.onOpen = () => bytes.forEach((byte) => fake.port.feed([byte]))), bytesOf('paper.txt'));
-    await connect(page);
-    await counts(page, 'frames', 6);
-    await raw(page, 3, '1811');
-    await raw(page, 1, '995');
-  });
-
-  await check('a receiver in failsafe shows in the verdict and the indicator, with the values as received', async (page) => {
-    await brings(page, frame([992, 992, 172], { flags: 0x0c }));
-    await connect(page);
-    await reads(page, '#state', 'Failsafe');
-    await lit(page, 'failsafe');
-    await lit(page, 'lost-frame');
-    await reads(page, '#verdict-text', /^Failsafe/);
-    await raw(page, 3, '172');
-  });
+  for (const [sentence, begin, ...shown] of [
+    ['the frames of an adapter that was set to 1 ms are shown', (page) => brings(page, frame([172, 992]), 100000, 9, 1),
+      [rawOf(1), '172'], ['#verdict-text', 'All well.'], ['[data-counter="discardedBytes"]', '0']],
+    ["the paper's frames are shown, though they come byte by byte",
+      (page) => page.evaluate((bytes) => (fake.port.onOpen = () => bytes.forEach((byte) => fake.port.feed([byte]))), bytesOf('paper.txt')),
+      ['[data-counter="frames"]', '6'], [rawOf(3), '1811'], [rawOf(1), '995']],
+    ['a receiver in failsafe shows in the verdict and the indicators, with the values as received', (page) => brings(page, frame([992, 992, 172], { flags: 0x0c })),
+      ['#state', 'Failsafe'], ['#indicator-failsafe .value', 'on'], ['#indicator-lost-frame .value', 'on'], ['#verdict-text', /^Failsafe/], [rawOf(3), '172']],
+    ['200000 baud are found on Fast S.Bus', (page) => brings(page, frame([1300]), 200000),
+      ['#verdict-note', /^Wrong baud rate: frames come only with the other baud rate\. .* Done: 200000 baud/], [rawOf(1), '1300'], ['#state', 'Fine']],
+    ['for bytes without frames, as with an inverter too many, the verdict is No frames, with the remedy',
+      (page) => brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]),
+      ['#verdict-text', /^No frames: bytes come/], ['#verdict-remedy', /Is an inverter missing, or one too many/], ['#state', 'Never seen'],
+      ['[data-counter="discardedBytes"]', /^[1-9]/]],
+    ['for breaks only, as on an idle line of the wrong level, the verdict is No frames, not No signal',
+      (page) => page.evaluate(() => (fake.port.onOpen = () => {
+        clearInterval(fake.timer);
+        fake.timer = setInterval(() => fake.port.fail('BreakError'), 20);
+      })), ['#verdict-text', /^No frames/]],
+    ['a port with frames with header 2F is decoded', (page) => brings(page, [...frame(Array.from({ length: 16 }, (_, i) => 1500 + i), { header: 0x2f }), ...frame([1100])], 100000, 18),
+      [rawOf(32), '1515'], [rawOf(1), '1100']],
+  ]) {
+    await check(sentence, async (page) => {
+      await begin(page);
+      await connect(page);
+      for (const [where, text] of shown) await reads(page, where, text);
+    });
+  }
 
   await check('parity, framing, overrun and system errors and breaks are counted by cause, and frames continue', async (page) => {
     await brings(page, frame([1200]));
@@ -212,34 +217,6 @@ export default async function () {
     await until('it is not opened again', async () => (await opened()).startsWith('100000,200000,100000'));
   });
 
-  await check('200000 baud are found on Fast S.Bus', async (page) => {
-    await brings(page, frame([1300]), 200000);
-    await connect(page);
-    await reads(page, '#verdict-note', /^Wrong baud rate: frames come only with the other baud rate\. .* Done: 200000 baud/);
-    await raw(page, 1, '1300');
-    await reads(page, '#state', 'Fine');
-  });
-
-  await check('for bytes without frames, as with an inverter too many, the verdict is No frames, with the remedy', async (page) => {
-    await brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]);
-    await connect(page);
-    await reads(page, '#verdict-text', /^No frames: bytes come/);
-    await reads(page, '#verdict-remedy', /Is an inverter missing, or one too many/);
-    await reads(page, '#state', 'Never seen');
-    await counts(page, 'discardedBytes', /^[1-9]/);
-  });
-
-  await check('for breaks only, as on an idle line of the wrong level, the verdict is No frames, not No signal', async (page) => {
-    await page.evaluate(() => {
-      fake.port.onOpen = () => {
-        clearInterval(fake.timer);
-        fake.timer = setInterval(() => fake.port.fail('BreakError'), 20);
-      };
-    });
-    await connect(page);
-    await reads(page, '#verdict-text', /^No frames/);
-  });
-
   await check('a damaged frame among good ones is shown with its reason', async (page) => {
     const good = frame([1000]);
     const bad = frame([1000]);
@@ -385,11 +362,4 @@ export default async function () {
     await reads(page, '#verdict-text', /^All well/);
   });
 
-  await check('a port with 24 channels, and with frames with header 2F, is decoded', async (page) => {
-    const extra = frame(Array.from({ length: 16 }, (_, i) => 1500 + i), { header: 0x2f });
-    await brings(page, [...extra, ...frame([1100])], 100000, 18);
-    await connect(page);
-    await raw(page, 32, '1515');
-    await raw(page, 1, '1100');
-  });
 }

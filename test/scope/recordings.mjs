@@ -3,31 +3,29 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { check, counts, downloaded, play, raw, reads, root, seek, toEnd } from './support.mjs';
+import { Native } from './native.mjs';
+import { check, counts, downloaded, frame, play, playToEnd, raw, reads, recorded, root, seek, toEnd } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
-const golden = path.join(root, 'test/golden');
-const host = process.env.SCOPE_FRAMES; // Frames.cpp
 
 const rows = (csv) => csv.trim().split('\n').slice(1);
-const withoutTime = (row) => row.slice(row.indexOf(',') + 1);
 const channels = (row) => row.split(',').slice(1, 19).join(',');
 
 export default async function () {
   for (const name of ['paper', 'frsky-neutral', 'sbus2', 'slow/25-hz']) {
     await check(`${name}.txt: the page has the frames that the host has, and those that AllChannels prints`, async (page) => {
       const file = path.join(recordings, `${name}.txt`);
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const { text } = await downloaded(page, '#csv');
       const frames = rows(text);
-      assert.equal(text.split('\n')[0], execFileSync(host, [file], { encoding: 'utf8' }).split('\n')[0]);
-      assert.deepEqual(frames.map(withoutTime), rows(execFileSync(host, [file], { encoding: 'utf8' })).map(withoutTime));
+      const columns = 'time,ch1-ch18,failsafe,lostframe';
+      const printed = execFileSync(process.env.SCOPE_SBUS, ['csv', '--every-frame', '--header', '--columns', columns, file], { encoding: 'utf8' });
+      assert.deepEqual([text.split('\n')[0], ...frames], printed.trim().split('\n'));
       assert.ok(frames.length > 0);
       await counts(page, 'frames', frames.length);
-      const printed = path.join(golden, `AllChannels-${name}.csv`);
+      const golden = path.join(root, 'test/golden', `AllChannels-${name}.csv`);
       let at = 0;
-      for (const row of existsSync(printed) ? readFileSync(printed, 'utf8').trim().split(/\r?\n/) : []) {
+      for (const row of existsSync(golden) ? readFileSync(golden, 'utf8').trim().split(/\r?\n/) : []) {
         while (at < frames.length && channels(frames[at]) !== row) at++;
         assert.ok(at < frames.length, `the sketch has printed ${row}`);
       }
@@ -49,20 +47,47 @@ export default async function () {
     });
   }
 
-  await check("a recording's times are those of sbus csv", async (page) => {
-    await play(page, path.join(recordings, 'paper.txt'));
-    await toEnd(page);
-    const { text } = await downloaded(page, '#csv');
-    // sbus csv test/recordings/paper.txt --every-frame --columns time
-    assert.deepEqual(rows(text).map((row) => row.split(',')[0]), ['0.163000', '0.172000', '0.181000', '0.363000', '0.372000', '0.381000']);
-  });
-
   await check('a byte order mark before a recording is no error', async (page) => {
     const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
-    await page.setInputFiles('#file', { name: 'mark.txt', mimeType: 'text/plain', buffer: Buffer.from(`\ufeff${text}`) });
-    await reads(page, '#title', 'Recording mark.txt');
+    await playToEnd(page, 'mark.txt', `\ufeff${text}`);
+    await counts(page, 'frames', 6);
+  });
+
+  await check('a file that is cut anywhere after its first line opens: all whole lines and bytes are there, and what is left out is said', async () => {
+    const lines = [1, 2, 3].map((i) => recorded(9000 * i, frame([1000 + i])).replace(' ', '~3000 '));
+    const table = [1, 2, 3].map((i) => `${(0.009 * i).toFixed(6)},${Array.from({ length: 16 }, (_, channel) => 900 + i + channel)}\n`);
+    const json = [1, 2, 3].map((i) => `${JSON.stringify({ type: 'frame', time_us: 9000 * i, channels: Array(16).fill(1000 + i) })}\n`);
+    const header = `time,${Array.from({ length: 16 }, (_, i) => `CH${i + 1}`)}\n`;
+    for (const [head, all] of [['# 100000 baud, 8E2, inverted\n', lines], [header, table], ['', json]]) {
+      const text = head + all.join('');
+      for (let end = head.length + all[0].length + (head === header ? all[1].length : 0); end <= text.length; end++) {
+        const page = await new Native().load();
+        page.open(text.slice(0, end));
+        page.advance(100000);
+        const whole = text.slice(head.length, end).split('\n').length - 1;
+        const part = text.slice(head.length, end).split('\n').at(-1);
+        const isFrame = head.startsWith('#') && part.split(' ').length === 26 && /\w\w$/.test(part);
+        const frames = page.status(100000, 'frames');
+        const isJsonWhole = head === '' && part.endsWith('}');
+        assert.equal(frames, whole + Number(isFrame || isJsonWhole), part);
+        const isHalf = part !== '' && !isJsonWhole && (!head.startsWith('#') || !/^\d+~\d+( \w\w)+ ?$/.test(part));
+        assert.equal(/cut off/.test(page.words(page.wasm.fileNote())), isHalf, part);
+      }
+    }
+  });
+
+  await check('what is left out of a file that is cut off stands beside its name', async (page) => {
+    const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
+    await page.setInputFiles('#file', { name: 'cut.txt', mimeType: 'text/plain', buffer: Buffer.from(`${text}40`) });
+    await reads(page, '#title', 'Recording cut.txt, cut off within its last line: what was not whole is left out');
     await toEnd(page);
     await counts(page, 'frames', 6);
+  });
+
+  await check('a recording that says when it began has date and time beside its name', async (page) => {
+    await play(page, 'began.txt', `# format 1, began 2026-11-24T15:16:18Z\n${recorded(9000, frame([1000]))}`);
+    const local = await page.evaluate(() => new Date('2026-11-24T15:16:18Z').toLocaleString());
+    await reads(page, '#title', `Recording began.txt, of ${local}`);
   });
 
   for (const [end, shown] of [
@@ -71,9 +96,7 @@ export default async function () {
   ]) {
     await check(`the last bytes of a recording are shown: ${end}`, async (page) => {
       const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
-      await page.setInputFiles('#file', { name: 'cut.txt', mimeType: 'text/plain', buffer: Buffer.from(`${text}400000 ${end}`) });
-      await reads(page, '#title', 'Recording cut.txt');
-      await toEnd(page);
+      await playToEnd(page, 'cut.txt', `${text}400000 ${end}`);
       await reads(page, '#lines li:first-child.none code', shown);
       await counts(page, 'frames', 6);
     });
@@ -91,8 +114,7 @@ export default async function () {
   });
 
   await check('the time line goes to any place and back, at another speed, and repeats', async (page) => {
-    await play(page, path.join(recordings, 'sbus2.txt'));
-    await toEnd(page);
+    await playToEnd(page, path.join(recordings, 'sbus2.txt'));
     const all = 14;
     await counts(page, 'frames', all);
     await seek(page, 300);
@@ -115,6 +137,24 @@ export default async function () {
       dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer }));
     }, [name, content, size]);
 
+  await check('dragged text raises no curtain, a file does; a folder is said', async (page) => {
+    const drag = (type) => page.evaluate((kind) => {
+      const dataTransfer = new DataTransfer();
+      if (kind === 'text') dataTransfer.setData('text/plain', 'hello');
+      else dataTransfer.items.add(new File(['x'], 'x.txt'));
+      const event = new DragEvent('dragover', { dataTransfer, cancelable: true });
+      dispatchEvent(event);
+      return [event.defaultPrevented, document.querySelector('#drop').hidden];
+    }, type);
+    assert.deepEqual(await drag('text'), [false, true]);
+    assert.deepEqual(await drag('file'), [true, false]);
+    await page.evaluate(() => dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), {
+      dataTransfer: { files: [new File([''], 'flights')], items: [{ webkitGetAsEntry: () => ({ isDirectory: true }) }] },
+    })));
+    await reads(page, '#notice-text', 'flights is a folder.');
+    assert.ok(await page.locator('#drop').isHidden());
+  });
+
   for (const [name, content, said] of [
     ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /is a picture, a document or a program/],
     ['nothing.txt', '', /is empty/],
@@ -129,7 +169,7 @@ export default async function () {
 
   await check('a file that is too large for the memory is rejected; the notice says which command reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
-    await reads(page, '#notice-text', /year\.txt: is larger than 500 MB: sbus summary/);
+    await reads(page, '#notice-text', /year\.txt: is larger than 2 GB: sbus summary/);
   });
 
   await check('of several sources chosen before any is open, the last one stays', async (page) => {

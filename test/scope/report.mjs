@@ -4,22 +4,13 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { random } from './modules.mjs';
 import { Native } from './native.mjs';
-import { build, check, downloaded, frame, play, reads, recorded, toEnd, until } from './support.mjs';
+import { build, check, downloaded, frame, play, playToEnd, reads, recorded, until } from './support.mjs';
 
 const lines = 60;
 const seed = Number(process.env.SEED ?? 4202);
 const sbus = (...options) => execFileSync(process.env.SCOPE_SBUS, options, { encoding: 'utf8' });
-
-function generator(from) {
-  let state = from;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 // A flight of some seconds: with losses, spans of failsafe, silences, damaged bytes and a PC that is late, each in some of them.
 function flight(random) {
@@ -51,10 +42,10 @@ const heights = (page) => page.$eval('#strip .lost', (shape) =>
 const known = (page) => page.waitForSelector('#report:not([hidden])');
 
 export default async function () {
-  const random = generator(seed);
+  const next = random(seed);
   const flights = Array.from({ length: lines }, (_, i) => {
     const file = path.join(build, `flight${i}.txt`);
-    writeFileSync(file, flight(random));
+    writeFileSync(file, flight(next));
     return file;
   });
 
@@ -85,8 +76,7 @@ export default async function () {
 
   await check(`the rows of ${lines} flights that the page saves are those of sbus csv`, async (page) => {
     for (const file of flights) {
-      await play(page, file);
-      await toEnd(page);
+      await playToEnd(page, file);
       const told = sbus('csv', '--every-frame', '--columns', 'time,ch1-ch16,failsafe,lostframe', file).trim().split('\n');
       let rows = [];
       await until(() => `${file}: ${rows.length} rows, not ${told.length}`, async () => {

@@ -13,11 +13,8 @@ if (tests=$PWD && cd "$build/npm" && npm run --silent check -- "$tests"); then
 else
   echo "FAILED scope: the linter accepts the page and its tests"
 fi
-line=../../extras/line
-g++ -std=c++17 -O1 -I../../src -I../../extras Frames.cpp "$line"/system/Posix.cpp "$line"/recording/CsvRows.cpp "$line"/LineSettings.cpp "$line"/recording/Recording*.cpp "$line"/recording/WallTime.cpp \
-  ../../src/sbus*/*.cpp -o "$build/Frames" || echo "FAILED scope/Frames does not build"
 "${MAKE:-make}" --no-print-directory -s -C ../../extras/cli BUILD="$build/cli" || echo "FAILED sbus does not build"
 SCOPE_BUILD="$build" timeout 60 node units.mjs || echo "FAILED scope/units.mjs ended with status $?"
 SCOPE_BUILD="$build" timeout 300 node sources.mjs || echo "FAILED scope/sources.mjs ended with status $?"
 command -v chromium >/dev/null || { echo "skipped scope: the page in a browser: there is no chromium here"; exit; }
-SCOPE_BUILD="$build" SCOPE_FRAMES="$build/Frames" SCOPE_SBUS="$build/cli/sbus" timeout 1500 node run.mjs || echo "FAILED scope/run.mjs ended with status $?"
+SCOPE_BUILD="$build" SCOPE_SBUS="$build/cli/sbus" timeout 1500 node run.mjs || echo "FAILED scope/run.mjs ended with status $?"

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import vm from 'node:vm';
-import { load } from './modules.mjs';
+import { load, random } from './modules.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const [firstSeed = 20181, seeds = 400] = process.argv.slice(2).map(Number);
@@ -44,16 +44,6 @@ Object.defineProperty(globalThis, 'navigator', { value: { serial: fake.serial },
 const { Choice } = await load('source/choice');
 const { PortFeed } = await load('worker/portFeed');
 const { pickPort } = await load('source/pick');
-
-function random(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 // One visit to the page: what was chosen when, and what came.
 class Visit {

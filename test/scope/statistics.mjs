@@ -1,17 +1,12 @@
 // Frame intervals and lost frames, as numbers and as bars.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
-import path from 'node:path';
-import { build, check, codes, connect, counts, frame, play, reads, toEnd, until } from './support.mjs';
+import { check, codes, connect, counts, frame, playToEnd, reads, until } from './support.mjs';
 
 // Returns a recording of frames with these intervals, in ms, and flags.
 async function playFrames(page, list) {
   let us = 0;
   const lines = list.map(([ms, flags = 0]) => `${(us += 1000 * ms)} ${frame([1000], { flags }).map((byte) => byte.toString(16)).join(' ')}\n`);
-  const file = path.join(build, 'intervals.txt');
-  writeFileSync(file, lines.join(''));
-  await play(page, file);
-  await toEnd(page);
+  await playToEnd(page, 'intervals.txt', lines.join(''));
   await counts(page, 'frames', list.length);
 }
 const times = (count, ...one) => Array.from({ length: count }, () => one);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, fingers, frame, play, reads, recorded, seek, until } from './support.mjs';
+import { build, check, fingers, frame, play, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 // A minute of frames, 10 ms apart, and the faults in it: [what, from, to], in ms, at ends of frames. A line of recorded() ends
 // 2.88 ms after its time.
@@ -96,8 +96,7 @@ export default async function () {
   });
 
   await check('from any place the next fault is the first after it, and the one before begins before it', async (page) => {
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, file);
     await decoded(page);
     for (const [ms, next, before] of [[7000, 1, 0], [21000, 3, 2], [30050, 4, 3], [49999, 6, 5]]) {
       await seek(page, ms);
@@ -111,9 +110,7 @@ export default async function () {
   });
 
   await check('a fault beyond the decoded part is found', async (page) => {
-    const long = path.join(build, 'late.txt');
-    writeFileSync(long, Array.from({ length: 400000 }, (_, i) => recorded(10000 * (i + 1), frame([1000], { flags: i === 399990 ? 8 : 0 }))).join(''));
-    await play(page, long);
+    await play(page, 'late.txt', Array.from({ length: 400000 }, (_, i) => recorded(10000 * (i + 1), frame([1000], { flags: i === 399990 ? 8 : 0 }))).join(''));
     await page.click('#fault-next');
     await reads(page, '#fault-text', 'Fault 1 of 1: failsafe, 66:39.912 to 66:39.922.');
   });
@@ -138,8 +135,7 @@ export default async function () {
   });
 
   await check('the strip seeks where it is clicked, to where it is dragged, and by its keys', async (page) => {
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, file);
     const box = await page.locator('.strip').boundingBox();
     const place = (part) => [box.x + part * box.width, box.y + box.height / 2];
     const stands = (part) => until(async () => `it is at ${await positionMs(page)} ms, not at ${60000 * part}`, async () => Math.abs((await positionMs(page)) - 60000 * part) < 300);
@@ -162,8 +158,7 @@ export default async function () {
   });
 
   await check('a finger on the strip seeks', async (page) => {
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, file);
     await page.locator('.strip').scrollIntoViewIfNeeded();
     const box = await page.locator('.strip').boundingBox();
     const { put, move, lift } = await fingers(page);
@@ -174,8 +169,7 @@ export default async function () {
   }, { size: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
 
   await check('seeking and playing clear the text of the fault; N in the list of speeds is a letter', async (page) => {
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, file);
     await seek(page, 0);
     await page.click('#fault-next');
     await reads(page, '#fault-text', told(expected[0], 0));
@@ -198,9 +192,7 @@ export default async function () {
     ['a parity error', '0F E8!', 'damaged bytes: 1 ×'],
   ]) {
     await check(`a recording that ends with ${what}: ${expectedText}`, async (page) => {
-      const ends = path.join(build, 'ends.txt');
-      writeFileSync(ends, `${Array.from({ length: 20 }, (_, i) => recorded(10000 * (i + 1), frame([1000]))).join('')}210000 ${last}\n`);
-      await play(page, ends);
+      await play(page, 'ends.txt', `${Array.from({ length: 20 }, (_, i) => recorded(10000 * (i + 1), frame([1000]))).join('')}210000 ${last}\n`);
       await decoded(page);
       assert.deepEqual(await page.$$eval('#fault-counts li', (items) => items.filter(({ hidden }) => !hidden).map(({ textContent }) => textContent)),
         expectedText.startsWith('no') ? ['whole recording: no faults'] : ['whole recording: 1 fault', expectedText]);
@@ -211,9 +203,7 @@ export default async function () {
     // Slots 0 to 7: sbus/Slots.h. Their data are headers, which no frame begins with.
     const slots = [0x03, 0x83, 0x43, 0xc3, 0x23, 0xa3, 0x63, 0xe3].flatMap((id) => [id, 0x0f, 0x0f]);
     const healthy = Array.from({ length: 200 }, (_, i) => recorded(15000 * (i + 1), frame([1000], { end: 0x04 })) + recorded(15000 * (i + 1) + 5000, slots)).join('');
-    const telemetry = path.join(build, 'telemetry.txt');
-    writeFileSync(telemetry, healthy);
-    await play(page, telemetry);
+    await play(page, 'telemetry.txt', healthy);
     await reads(page, '#fault-counts li', 'whole recording: no faults');
   });
 }

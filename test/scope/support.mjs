@@ -172,11 +172,26 @@ export async function connect(page, kind = 'adapter') {
   await until('the port is not read', () => page.evaluate(() => fake.port.isLocked));
 }
 
-export async function play(page, file) {
-  const running = (await page.textContent('#title')).startsWith('Recording') ? page.workers().at(-1) : undefined;
-  await page.setInputFiles('#file', file);
+// Plays a file of the disk, or a text as a file of that name.
+export async function play(page, file, text) {
+  const running = /^(Recording|Capture)/.test(await page.textContent('#title')) ? page.workers().at(-1) : undefined;
+  const whole = text === undefined ? file : path.join(build, file);
+  if (text !== undefined) {
+    writeFileSync(whole, text);
+  }
+  await page.setInputFiles('#file', whole);
   await until('the recording before it goes on', () => !running || !page.workers().includes(running));
-  await reads(page, '#title', `Recording ${path.basename(file)}`);
+  await reads(page, '#title', new RegExp(`^(Recording|Capture) ${path.basename(file)}(, [^(]*)?$`));
+}
+
+export async function playPaused(page, ...file) {
+  await play(page, ...file);
+  await page.click('#play');
+}
+
+export async function playToEnd(page, ...file) {
+  await play(page, ...file);
+  await toEnd(page);
 }
 
 // To this time in the recording.

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { clean, fits } from './looks.mjs';
-import { check, connect, counts, downloaded, drawn, frame, reads, recorded, seek, until } from './support.mjs';
+import { check, connect, counts, downloaded, drawn, frame, play, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 // 15 s of frames; in the first 10 s the receiver and an SBS-01V answer after each that ends in 04.
 function line() {
@@ -38,9 +38,7 @@ const list = (page) => page.$$eval('#telemetry-list li', (items) => items.map((i
 export default async function () {
   await check('telemetry has a card while slots come, with both voltages of the receiver and the slots; they are no fault', async (page) => {
     assert.ok(await page.locator('#telemetry').isHidden());
-    await page.setInputFiles('#file', { name: 'telemetry.txt', mimeType: 'text/plain', buffer: Buffer.from(line()) });
-    await reads(page, '#title', 'Recording telemetry.txt');
-    await page.click('#play'); // pauses
+    await playPaused(page, 'telemetry.txt', line());
     await seek(page, 8000);
     const expected = ['receiver voltage 4.6 V', 'external voltage 24.1 V', 'slots 0, 1, 2'];
     await until(async () => String(await list(page)), async () => String(await list(page)) === String(expected));
@@ -55,9 +53,7 @@ export default async function () {
   });
 
   const playRising = async (page) => {
-    await page.setInputFiles('#file', { name: 'rising.txt', mimeType: 'text/plain', buffer: Buffer.from(rising()) });
-    await reads(page, '#title', 'Recording rising.txt');
-    await page.click('#play'); // pauses
+    await playPaused(page, 'rising.txt', rising());
     await seek(page, 50000);
     await reads(page, '#position-text', /^0:50/);
     await page.waitForSelector('#telemetry', { state: 'visible' });
@@ -119,8 +115,7 @@ export default async function () {
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
   await check('a sensor that is chosen for a recording leaves the trigger armed, and what was recorded so far is saved', async (page) => {
-    await page.setInputFiles('#file', { name: 'telemetry.txt', mimeType: 'text/plain', buffer: Buffer.from(line()) });
-    await reads(page, '#title', 'Recording telemetry.txt');
+    await play(page, 'telemetry.txt', line());
     await page.click('#record');
     await page.waitForSelector('#telemetry', { state: 'visible' });
     await page.click('#trigger-open');

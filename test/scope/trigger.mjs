@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, connect, drawn, frame, opensWith, play, reads, recorded, seek, until } from './support.mjs';
+import { build, check, connect, drawn, frame, opensWith, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 const set = async (page, condition, { place = '0.5', mode = 'single' } = {}) => {
   if (await page.evaluate(() => document.querySelector('#trigger').hidden)) await page.click('#trigger-open');
@@ -79,8 +79,7 @@ export default async function () {
       ['ch1 > -50 %', [endUs(83)]],
       ['ch1 = 700', [endUs(200)]],
     ]) {
-      await play(page, file);
-      await page.click('#play');
+      await playPaused(page, file);
       await seek(page, 0);
       await set(page, condition, { place: '0.9' });
       for (const us of places ?? []) {
@@ -102,10 +101,7 @@ export default async function () {
   }, { patience: 120000 });
 
   await check('a board\'s numbers are compared as printed', async (page) => {
-    const file = path.join(build, 'trigger-rows.csv');
-    writeFileSync(file, `time,throttle,roll\n${Array.from({ length: 100 }, (_, i) => `${(i / 10).toFixed(3)},${i - 50}.5,7\n`).join('')}`);
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, 'trigger-rows.csv', `time,throttle,roll\n${Array.from({ length: 100 }, (_, i) => `${(i / 10).toFixed(3)},${i - 50}.5,7\n`).join('')}`);
     await seek(page, 1000);
     await set(page, 'ch1 > 1500 us');
     await page.click('#trigger-next');

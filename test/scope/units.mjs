@@ -1,17 +1,24 @@
 // The parts of the page that are no view: the history, the viewport, the statistics and the faults. No browser.
 //   node units.mjs [SEED]
 import assert from 'node:assert/strict';
-import { load } from './modules.mjs';
+import { readdirSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { load, random as generator, sources } from './modules.mjs';
+import { Native } from './native.mjs';
 
 const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
+const { EnvelopeIndex } = await load('worker/envelope');
+const { EnvelopeStrokes } = await load('view/strokes');
 const { intervals, losses } = await load('statistics');
-const { Fault } = await load('faults');
-const { FaultIndex, mostSpans } = await load('worker/faultIndex');
+const { Fault } = await load('messages');
+const { FaultIndex } = await load('worker/faultIndex');
+const { withoutList } = await load('bookmarks');
+const { tidied } = await load('text');
+const { gapOf } = (await new Native().load()).wasm;
 
-let seed = Number(process.argv[2] ?? 20181);
-const first = seed;
-const random = () => (seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648;
+const seed = Number(process.argv[2] ?? 20181);
+const random = generator(seed);
 let failed = 0;
 function check(sentence, show) {
   try {
@@ -19,7 +26,7 @@ function check(sentence, show) {
     console.log(`ok scope: ${sentence}`);
   } catch (error) {
     failed++;
-    console.log(`FAILED scope: ${sentence} (seed ${first})\n${error.stack}`);
+    console.log(`FAILED scope: ${sentence} (seed ${seed})\n${error.stack}`);
   }
 }
 const filled = (count, flags = () => 0, us = (i) => 9000 * i) => {
@@ -97,6 +104,58 @@ check('a step zooms to the next round width, from any width', () => {
   assert.deepEqual([view.seconds, ...walk(1, 1)], [1.2, 1]);
 });
 
+check('a recording can be shown from end to end, and its edge stays within it', () => {
+  const view = new Viewport();
+  view.follow(100, 0, 3600);
+  const walk = (step, count) => Array.from({ length: count }, () => {
+    view.step(step);
+    return [view.seconds, view.edge];
+  });
+  assert.deepEqual(walk(-1, 10).slice(4), [[240, 100], [480, 480], [960, 960], [1920, 1920], [3600, 3600], [3600, 3600]]);
+  for (let i = 0; i < 1000; i++) {
+    [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.place(4000 * random(), random())][i % 3]();
+    assert.ok(view.edge <= 3600 && view.seconds <= 3600 && (!view.isWide || view.begin >= -1e-9), `${view.begin} to ${view.edge}`);
+    assert.equal(view.isAway, view.edge > 100.001);
+  }
+  view.follow(100, 0);
+  assert.equal(view.seconds <= 240, true);
+});
+
+check('the envelope of a recording has the least and the greatest value of each column of pixels, and its silences', () => {
+  const [endUs, width, height] = [1000e6, 700, 1000];
+  const index = new EnvelopeIndex(endUs);
+  const columns = new Map();
+  const unit = { low: 0, high: height };
+  const add = (us, value) => index.take({ kind: 0, endUs: us, flags: us > 5e8 && us < 5.1e8 ? 8 : 0, channels: [5, value], channelCount: 2, readings: [], readingCount: 0 });
+  const partUs = endUs / index.envelope.flags.length;
+  for (let us = 20000; us < endUs; us += 20000) {
+    if (us > 7e8 && us < 7.1e8) continue;
+    const value = random() < 0.001 ? height : Math.floor(300 * random());
+    add(us, value);
+    const x = Math.round(((Math.floor(us / partUs) + 0.5) * partUs * width) / endUs);
+    const [low, high] = columns.get(x) ?? [Infinity, -Infinity];
+    columns.set(x, [Math.min(low, value), Math.max(high, value)]);
+  }
+  const strokes = new EnvelopeStrokes(index.envelope);
+  const area = { left: 0, top: 0, width, height, edge: endUs / 1e6, seconds: endUs / 1e6 };
+  const drawn = new Map();
+  const moves = [];
+  const to = (x, y) => drawn.set(x, [...(drawn.get(x) ?? []), height - y]);
+  strokes.trace({ column: 1, unit }, area, 0.1, { moveTo: (x, y) => moves.push(x) && to(x, y), lineTo: to });
+  assert.deepEqual([...drawn], [...columns]);
+  assert.deepEqual(moves, [0, 497]); // the silence ends at 710 s
+  const painted = [];
+  strokes.bands(area, (x, wide) => painted.push(x, x + wide));
+  near(Math.round(Math.min(...painted)), 350);
+  assert.ok(Math.abs(Math.max(...painted) - 357) < 2);
+  assert.deepEqual(strokes.ends(1, area), [0, height]);
+  const slow = new EnvelopeIndex(endUs);
+  for (let us = 1e6; us < endUs; us += 1e6) slow.take({ kind: 4, endUs: us, flags: 0, channels: [us], channelCount: 1, readings: [], readingCount: 0 });
+  let breaks = 0;
+  new EnvelopeStrokes(slow.envelope).trace({ column: 0, unit }, area, 3, { moveTo: () => breaks++, lineTo: () => undefined });
+  assert.equal(breaks, 1);
+});
+
 // Returns a line whose frames come every 10 ms, or after a silence, and the spans that it should have.
 function faulty(count, faults) {
   const spans = [];
@@ -127,7 +186,7 @@ function faulty(count, faults) {
 }
 
 check('the next fault after any time, and the one before, are those in a list of all faults', () => {
-  const faults = new FaultIndex(2e9);
+  const faults = new FaultIndex(2e9, gapOf);
   const spans = faulty(100000, faults);
   assert.ok(spans.length > 300, `${spans.length}`);
   assert.deepEqual(faults.counts(), [0, 1, 2, 3, 4, 5].map((fault) => spans.filter((span) => span.fault === fault).length));
@@ -145,24 +204,8 @@ check('the next fault after any time, and the one before, are those in a list of
   });
 });
 
-check('if there are more faults than room, neighbours become one, and each still begins where a fault does', () => {
-  const count = 40 * mostSpans;
-  const faults = new FaultIndex(3e6 * count);
-  for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, lateUs: 0, damagedUs: 0 });
-  faults.finish(3e6 * count);
-  const lost = faults.counts()[Fault.LostFrame];
-  assert.ok(lost > 0 && lost <= mostSpans, `${lost}`);
-  let found = faults.after({ fromUs: -1 });
-  for (let number = 1; found; number++, found = faults.after(found)) {
-    assert.equal(found.number, number);
-    assert.equal(found.fault, Fault.LostFrame);
-    assert.equal((found.fromUs / 3e6) % 2, 1);
-  }
-  assert.ok(faults.bins.every((bin) => bin === 1 << Fault.LostFrame));
-});
-
 check('a sketch that prints once a second is not silent; three missing rows are the fault "no frames"', () => {
-  const faults = new FaultIndex(1e8);
+  const faults = new FaultIndex(1e8, gapOf);
   for (let i = 0; i < 100; i++) {
     faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 }); // its bytes
     if (i < 50 || i > 53) faults.take({ endUs: 1e6 * i, kind: 4, flags: 0, lateUs: 0, damagedUs: 0 });
@@ -173,10 +216,50 @@ check('a sketch that prints once a second is not silent; three missing rows are 
 });
 
 check('bytes without any frame are the fault "no frames", from the first to the last', () => {
-  const faults = new FaultIndex(1e7);
+  const faults = new FaultIndex(1e7, gapOf);
   for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 });
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
+});
+
+check('a name has no control characters, and no character of it is cut', () => {
+  const family = '\u{1F468}\u200D\u{1F469}\u200D\u{1F467}'; // 8 units, one character
+  for (const [name, most, kept] of [
+    ['  take  off\t1\n', 60, 'take off 1'], ['a\0b\x1b[1m\u0085c', 60, 'a b [1m c'], ['\0', 60, ''], ['x'.repeat(70), 60, 'x'.repeat(60)],
+    [`${'x'.repeat(59)}\u{1F600}`, 60, 'x'.repeat(59)], [`${'x'.repeat(58)}\u{1F600}`, 60, `${'x'.repeat(58)}\u{1F600}`],
+    [`${'x'.repeat(55)}${family}`, 60, 'x'.repeat(55)], [`e\u0301`.repeat(10), 5, 'e\u0301e\u0301'],
+  ]) {
+    assert.equal(tidied(name, most), kept);
+  }
+});
+
+const utf16 = (text, isBig) => Buffer.from(Buffer.from(`\ufeff${text}`, 'utf16le').map((_, i, all) => all[isBig ? i ^ 1 : i]));
+for (const [what, before, after] of [
+  ['a list', '5 0F\n# bookmarks\n# bookmark 1 a\n', '5 0F\n'],
+  ['three lists, as older pages saved them', '5 0F\n\n# bookmarks\n# bookmark 1 a\n\n# bookmarks\n\n# bookmarks\r\n# bookmark 2 b\r\n', '5 0F\n\n'],
+  ['a list that is not at the end', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n'],
+  ['a comment that looks like one', '# about # bookmarks\n5 0F\n# so # bookmarks', '# about # bookmarks\n5 0F\n# so # bookmarks\n'],
+  ['no line end', '5 0F', '5 0F\n'],
+  ['nothing but a list', '# bookmarks\n# bookmark 1 a \u{1F600}', '\n'],
+  ['UTF-16', utf16('5 0F\n# bookmarks\n# bookmark 1 \u{1F600}\n', false), '5 0F\n'],
+  ['UTF-16, big-endian', utf16('5 0F\n', true), '5 0F\n'],
+]) {
+  const kept = await new Blob(await withoutList(new Blob([before]))).text();
+  check(`a recording with ${what} is saved without a list at its end, and with a line end`, () => assert.equal(kept, after));
+}
+
+check('no module of the page needs itself, also not for a type; what page and worker tell each other needs only the border', () => {
+  const modules = readdirSync(sources, { recursive: true }).filter((name) => /(?<!\.d)\.ts$/.test(name)).map((name) => name.slice(0, -3));
+  const needs = new Map(modules.map((name) => {
+    const text = readFileSync(path.join(sources, `${name}.ts`), 'utf8');
+    return [name, [...text.matchAll(/ from '(\.[^']+)';/g)].map(([, other]) => path.join(path.dirname(name), other))];
+  }));
+  assert.deepEqual(needs.get('messages'), ['border']);
+  while (needs.size > 0) {
+    const free = [...needs.keys()].filter((name) => !needs.get(name).some((other) => needs.has(other)));
+    assert.ok(free.length > 0, `in a circle, or before one: ${[...needs.keys()]}`);
+    free.forEach((name) => needs.delete(name));
+  }
 });
 
 process.exit(failed > 0 ? 1 : 0);

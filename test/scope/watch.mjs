@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, connect, frame, opensWith, play, reads, recorded, seek, toEnd, until } from './support.mjs';
+import { build, check, connect, frame, opensWith, playPaused, playToEnd, reads, recorded, seek, until } from './support.mjs';
 
 const periodMs = 9;
 const good = frame([1000]);
@@ -37,8 +37,7 @@ export default async function () {
   writeFileSync(file, text);
 
   await check('a recording that is paused at any place has the verdict of the line before it, and keeps it', async (page) => {
-    await play(page, file);
-    await page.click('#play');
+    await playPaused(page, file);
     for (const [ms, state, said] of [
       [5500, 'Fine', /^Noise/],
       [500, 'Fine', /^All well/], // before a second is over
@@ -67,8 +66,7 @@ export default async function () {
     for (const [name, ms, said] of [['short.txt', 500, /^All well/], ['noisy.txt', 6500, /^Noise/]]) {
       const part = path.join(build, name);
       writeFileSync(part, events.filter((each) => each < ms).map((each) => recorded(1000 * each, at(each))).join(''));
-      await play(page, part);
-      await toEnd(page);
+      await playToEnd(page, part);
       await reads(page, '#verdict-text', said);
       await page.waitForTimeout(1500);
       assert.match(await page.textContent('#verdict-text'), said);

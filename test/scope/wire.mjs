@@ -1,10 +1,9 @@
 // The wire below the bytes: its edges as the capture has them, at any zoom, the names of bits, and which of them is wrong.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
-import path from 'node:path';
 import { clean, fits } from './looks.mjs';
+import { random } from './modules.mjs';
 import { Native } from './native.mjs';
-import { build, check, drawn, frame, reads, seek, until } from './support.mjs';
+import { check, drawn, frame, playPaused, reads, seek, until } from './support.mjs';
 
 const bitUs = 10;
 const seed = Number(process.env.SEED ?? 42);
@@ -29,13 +28,6 @@ for (let character = 0; character < 25 * frames; character++) {
 }
 const endUs = edges.at(-1)[0] + 20000;
 const vcd = `$timescale 1us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n${edges.map(([us, high]) => `#${us}\n${high}!\n`).join('')}#${endUs}\n`;
-
-function random(state) {
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
 
 // The edges that begin before `toUs`, from the newest before `fromUs` on.
 const truth = (fromUs, toUs) => edges.filter(([us], i) => us < toUs && (edges[i + 1]?.[0] ?? Infinity) > fromUs);
@@ -84,11 +76,7 @@ export default async function () {
   });
 
   await check('the wire of a capture shows each bit of a character with its name, and which bit of a bad one is wrong', async (page) => {
-    const file = path.join(build, 'wire.vcd');
-    writeFileSync(file, vcd);
-    await page.setInputFiles('#file', file);
-    await reads(page, '#title', /^Capture wire.vcd/);
-    await page.click('#play');
+    await playPaused(page, 'wire.vcd', vcd);
     for (const [character, wrong] of [[5 * 25 + 1, ''], [bad.parity, ', wrong parity'], [bad.stop, ', wrong stop bit']]) {
       const begin = beginOf(character);
       const middleUs = 1000 * Math.round((begin + 6 * bitUs) / 1000);
@@ -113,11 +101,7 @@ export default async function () {
   });
 
   await check('the wire zooms from a whole capture to two bits, and follows the recording', async (page) => {
-    const file = path.join(build, 'wire.vcd');
-    writeFileSync(file, vcd);
-    await page.setInputFiles('#file', file);
-    await reads(page, '#title', /^Capture wire.vcd/);
-    await page.click('#play');
+    await playPaused(page, 'wire.vcd', vcd);
     await seek(page, 10000);
     for (let i = 0; i < 9; i++) await page.click('#wire-out');
     await reads(page, '#wire-width', /^28\.\d s$/);

@@ -2,6 +2,7 @@
 
 import { History } from './history';
 import { keep, recallObject } from './storage';
+import { tidied } from './text';
 
 const key = 'channels';
 export const longestName = 16; // characters
@@ -72,7 +73,7 @@ export class Channels {
   }
 
   private set(channel: number, name: string): void {
-    const short = name.trim().slice(0, longestName);
+    const short = tidied(name, longestName);
     if (short === '' || short === `CH${channel + 1}`) {
       this.names.delete(channel);
     } else {

@@ -14,6 +14,9 @@ export const shownSeconds = (seconds: number): number => seconds + zeroUs / 1e6;
 export const tickText = (seconds: number, digits: number): string =>
   `${zeroUs === 0 ? seconds.toFixed(digits) : +shownSeconds(seconds).toFixed(6)} s`;
 
+// Returns "10 s", or "60 min" for what is longer than the page keeps.
+export const widthText = (seconds: number): string => (seconds > 240 ? `${+(seconds / 60).toPrecision(3)} min` : `${+seconds.toPrecision(3)} s`);
+
 // Returns "1.234 s" for a time of the line.
 export const secondsText = (us: number, digits = 3): string => `${((us + zeroUs) / 1e6).toFixed(digits)} s`;
 

@@ -1,30 +1,13 @@
 // The library itself, compiled to WebAssembly (../wasm). All knowledge of S.Bus is there.
 
-import wasm from '../scope.wasm.gz?inline';
+import wasm from '../scope.wasm.gz';
 import { type CalibrationError, type Finding, Flag, Kind, ReadConditionReader, type Scale } from './border';
 import type { Stretch } from './line';
 import { imports, Native } from './native';
 import type { SensorType } from './sensors';
+import type { Range } from './unit';
 
 export { CalibrationError, Scale } from './border';
-
-export interface Setting {
-  baud: number;
-  inverted: boolean;
-}
-
-export interface Simulation {
-  calibration: boolean;
-  channels: 16 | 24 | 32;
-  noise: number; // disturbances a second
-  line: Setting;
-}
-
-export interface Range {
-  low: number;
-  centre: number;
-  high: number;
-}
 
 // A condition at which the picture stops; or what is wrong with its text, and where.
 interface Condition {
@@ -36,8 +19,7 @@ interface Condition {
 
 // Packed it is a third as large.
 async function unpacked(): Promise<Uint8Array> {
-  const packed = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
-  return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+  return new Uint8Array(await new Response(new Blob([wasm]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
 
 export class Core {

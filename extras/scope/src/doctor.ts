@@ -1,10 +1,11 @@
 // Says at any time what is wrong with the line.
 
 import type { Core } from './core';
-import { Fault, faultNames } from './faults';
+import { faultNames } from './faults';
 import { Finding } from './border';
 import { Flag, LinkState, type Status, type Stretch } from './line';
-import type { Problem, Source } from './source/Source';
+import { Fault, type Problem } from './messages';
+import type { Source } from './source/Source';
 
 const quietestUs = 50000; // after a frame: bytes that come later belong to no frame
 const silenceUs = 1000000; // after the newest byte: the line is silent
@@ -15,25 +16,12 @@ export interface Verdict extends Problem {
   severity: Severity;
 }
 
-// How severe the findings are; those that are well are not here.
+// Findings that are neither well nor an alarm.
 const severities: Partial<Record<Finding, Severity>> = {
-  [Finding.NoSignal]: 'alarm',
-  [Finding.IBus]: 'alarm',
-  [Finding.Crsf]: 'alarm',
-  [Finding.FPort]: 'alarm',
-  [Finding.Sumd]: 'alarm',
-  [Finding.Spektrum]: 'alarm',
-  [Finding.NoFrames]: 'alarm',
   [Finding.Channels24]: 'note',
-  [Finding.WrongPolarity]: 'alarm',
-  [Finding.WrongBaud]: 'alarm',
-  [Finding.WrongPolarityAndBaud]: 'alarm',
   [Finding.PolledTooSeldom]: 'warning',
   [Finding.InterruptsOff]: 'warning',
   [Finding.Noise]: 'warning',
-  [Finding.NoPulses]: 'alarm',
-  [Finding.Failsafe]: 'alarm',
-  [Finding.NoRadio]: 'alarm',
   [Finding.Lossy]: 'warning',
 };
 

@@ -1,13 +1,9 @@
 // The newest values of all channels, in memory of a fixed size: about five minutes of 111 frames a second.
 
 import { Flag, Kind, type Stretch } from './line';
+import type { Samples } from './messages';
 
-// Frames or rows, the oldest first.
-export interface Samples {
-  times: Float64Array; // s
-  values: Float64Array; // History.columns of each
-  flags: Uint8Array;
-}
+export const keptSeconds = 240; // of a usual line, at least
 
 export class History implements Samples {
   static readonly capacity = 1 << 15;
@@ -103,7 +99,7 @@ export class History implements Samples {
 }
 
 // Returns true for a row, and for a frame that has CH1.
-export const isSample = ({ kind }: Stretch): boolean => kind !== Kind.NoFrame && kind !== Kind.Extra;
+export const isSample = ({ kind }: { kind: Kind }): boolean => kind !== Kind.NoFrame && kind !== Kind.Extra && kind !== Kind.Silence;
 
 export function samplesOf(stretches: readonly Stretch[]): Samples {
   const count = stretches.length;

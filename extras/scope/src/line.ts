@@ -1,7 +1,7 @@
 // A line as the page sees it, wherever it is decoded.
 
-import type { Kind, LinkState, Status } from './border';
-import type { Samples } from './history';
+import type { Kind, LinkState } from './border';
+import type { Samples } from './messages';
 
 export { Flag, Kind, LinkState, type Status } from './border';
 
@@ -25,28 +25,4 @@ export interface Sink {
   jump(recalled: readonly Stretch[]): void;
   // Brings the history before the place that the line has jumped to.
   precede(samples: Samples): void;
-}
-
-export interface Line {
-  // Hands over all that has come by `nowUs`.
-  advance(nowUs: number, sink: Sink): void;
-  status(): Status;
-  // True until the line before the place that it has jumped to is decoded: what the status counts, and the link
-  // quality, is not known.
-  readonly isPreview: boolean;
-  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a
-  // stretch's readings, name, value and unit, with tabs between. Empty without telemetry.
-  telemetry(): readonly string[];
-  // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
-  travel(channel: number): [number, number] | undefined;
-  resetMarks(): void;
-
-  // The line's time from which the newest recording counts.
-  readonly recordingUs: number;
-  // Begins a recording.
-  record(): void;
-  // Returns what was recorded since the last call.
-  takeRecorded(): string;
-  // Ends the recording. Returns the rest of it.
-  endRecorded(): Promise<string>;
 }

@@ -1,8 +1,10 @@
 // The page's buttons.
 
 import './style.css';
-import { Core, type Setting } from './core';
+import { Core } from './core';
 import { byId, setText } from './dom';
+import type { Problem, Setting } from './messages';
+import { Kind } from './line';
 import { keepOffline } from './offline';
 import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
@@ -11,7 +13,6 @@ import { PortSource } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SecondPort, SecondRecording } from './source/second';
 import { SimulatedSource } from './source/simulated';
-import type { Problem } from './source/Source';
 import { keep, recall } from './storage';
 import { CalibrationView } from './view/calibration';
 import { KnownPorts } from './view/knownPorts';
@@ -40,7 +41,7 @@ addEventListener('unhandledrejection', (event) => fault(event.reason));
 
 const core = await Core.load();
 notice = new NoticeView();
-const scope = new Scope(core, (view, error) => notice?.show({ text: `${view} has failed: ${error.message}.`, remedy: `Everything else continues. ${stays}` }, true));
+const scope = new Scope(core, (view, error) => notice?.show({ text: `${view} has failed: ${error.message}.`, remedy: `Everything else continues. ${stays}` }, true), (problem) => notice?.show(problem));
 const known = new KnownPorts(byId('known'), (port, kind) => void open(port, kind));
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
 
@@ -53,6 +54,8 @@ function pressed(source: string): void {
   byId('compare').hidden = source !== 'adapter' && source !== 'recording';
 }
 
+let simulated = { receiver: '16', fault: 'none' }; // the choices of the simulation that runs, or ran last
+
 async function simulate(): Promise<void> {
   const receiver = select('receiver').value;
   const fault = select('fault').value;
@@ -60,16 +63,20 @@ async function simulate(): Promise<void> {
   const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
   const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
   const noise = { noise: 30, storm: 300 }[fault] ?? 0;
-  await scope.choice.change(async (signal) => {
+  const isChosen = await scope.choice.change(async (signal) => {
     const make = await SimulatedSource.open(core, { calibration: receiver === 'calibration', channels, noise, line }, port, signal);
     return () => {
       pressed('simulated');
       const source = make();
       source.cutWire(fault === 'silent');
       byId('cut').setAttribute('aria-pressed', String(fault === 'silent'));
+      simulated = { receiver, fault };
       return source;
     };
   });
+  if (!isChosen) {
+    Object.entries(simulated).forEach(([id, value]) => (select(id).value = value));
+  }
 }
 
 async function connect(kind: PortKind): Promise<void> {
@@ -91,14 +98,16 @@ async function open(port: SerialPort, kind: PortKind): Promise<void> {
     await current.replug(port);
     return;
   }
-  await scope.choice.change(async (signal) => {
+  const isChosen = await scope.choice.change(async (signal) => {
     const make = await PortSource.open(core, port, kind, Number(select('baud').value), signal);
     return () => {
       pressed(kind);
       return make();
     };
   });
-  known.remember(port, kind);
+  if (isChosen) {
+    known.remember(port, kind);
+  }
 }
 
 // Asks for a second line: a recording beside a recording, a port beside a port.
@@ -197,33 +206,40 @@ function wire(): void {
       scope.recorder.begin(current.line, current.title);
     }
   });
-  addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
-  byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16));
+  addEventListener('beforeunload', (event) => (scope.recorder.on || scope.lostBookmarks > 0) && event.preventDefault());
+  byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16, scope.newest?.kind === Kind.Row));
 
   byId('picture').addEventListener('click', () => savePicture(scope.curves.svg(scope.choice.current?.title ?? '')));
   byId('pause').addEventListener('click', () => scope.curves.pause(!scope.curves.paused));
   byId('zoom-in').addEventListener('click', () => scope.curves.zoom(1));
   byId('zoom-out').addEventListener('click', () => scope.curves.zoom(-1));
   byId('reset-marks').addEventListener('click', () => scope.choice.current?.line.resetMarks());
-  new Dropping(byId('drop'));
+  takeDrops(byId('drop'));
 }
 
 // Plays a file that is dropped on the page.
-class Dropping {
-  constructor(private readonly curtain: HTMLElement) {
-    addEventListener('dragover', (event) => {
+function takeDrops(curtain: HTMLElement): void {
+  const hasFile = ({ dataTransfer }: DragEvent): boolean => dataTransfer?.types.includes('Files') ?? false;
+  addEventListener('dragover', (event) => {
+    if (hasFile(event)) {
       event.preventDefault();
-      this.curtain.hidden = false;
-    });
-    addEventListener('dragleave', (event) => {
-      this.curtain.hidden = event.relatedTarget === null;
-    });
-    addEventListener('drop', (event) => {
+      curtain.hidden = false;
+    }
+  });
+  addEventListener('dragleave', (event) => (curtain.hidden = event.relatedTarget === null));
+  addEventListener('drop', (event) => {
+    curtain.hidden = true;
+    const [item] = event.dataTransfer?.items ?? [];
+    const [file] = event.dataTransfer?.files ?? [];
+    if (file) {
       event.preventDefault();
-      this.curtain.hidden = true;
-      void play(event.dataTransfer?.files[0]);
-    });
-  }
+    }
+    if (item?.webkitGetAsEntry?.()?.isDirectory) {
+      notice?.show({ text: `${file.name} is a folder.`, remedy: 'Drop a recording or a capture that is in it.' });
+    } else {
+      void play(file);
+    }
+  });
 }
 
 // Follows the system's dark or light theme until the button is pressed.

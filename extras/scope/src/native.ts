@@ -1,9 +1,8 @@
 // WebAssembly's memory, as the page and its worker read it.
 
 import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
-import type { Sample } from './faults';
 import type { Stretch } from './line';
-import type { Picture } from './worker/messages';
+import type { Picture } from './messages';
 
 const channels = 32;
 
@@ -62,11 +61,6 @@ export class Native {
     return stretches;
   }
 
-  // Hands over each record as a sample, which is valid during the call: a recording may have 5 million records.
-  eachSample(records: Uint8Array, take: (sample: Sample) => void): void {
-    this.each(records, take);
-  }
-
   // Marks the records from now on at which a condition (Core.condition()) becomes true. Returns true if it
   // may become true while nothing comes.
   watchFor(steps?: Uint8Array): boolean {
@@ -103,7 +97,7 @@ export class Native {
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
-  // See Line.telemetry().
+  // See Remote.telemetry().
   private telemetry(nowUs: number): string[] {
     return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
   }
@@ -136,7 +130,8 @@ export class Native {
     return records;
   }
 
-  private each(records: Uint8Array, take: (record: RecordReader) => void): void {
+  // Hands over each record, which is valid during the call: a recording may have 5 million.
+  each(records: Uint8Array, take: (record: RecordReader) => void): void {
     const record = new RecordReader(new DataView(records.buffer));
     for (; record.at < records.length; record.at += RecordReader.size) {
       take(record);

@@ -1,11 +1,12 @@
 // What the user saves: a recording in the project's format, the values as CSV, or a picture.
 
-import { shownSeconds } from './clock';
+import { clock, shownSeconds } from './clock';
 import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
-import { type Bookmark, commentsOf } from './bookmarks';
-import type { Line } from './line';
+import { commentsOf } from './bookmarks';
+import type { Remote } from './source/remote';
+import type { Bookmark } from './messages';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 
@@ -16,14 +17,14 @@ export class Recorder {
   private text = '';
   private parts: Blob[] = [];
   private readonly awake = new Awake();
-  private line?: Line; // that is recorded
+  private line?: Remote; // that is recorded
 
   get on(): boolean {
     return this.line !== undefined;
   }
 
   // `title`: what is recorded, for the first line.
-  begin(line: Line, title: string): void {
+  begin(line: Remote, title: string): void {
     this.line = line;
     this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
     this.parts = [];
@@ -62,19 +63,22 @@ export class Recorder {
   }
 }
 
-// Saves all that the history holds.
-export function saveCsv(history: History, channels: number): void {
+// Saves all that the history holds, of which the file's name has begin and end, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.
+export function saveCsv(history: History, channels: number, isBoard: boolean): void {
   const numbers = Array.from({ length: channels }, (_, i) => i);
-  const lines = [['seconds', ...numbers.map((i) => `CH${i + 1}`), 'switch17', 'switch18', 'failsafe', 'lostFrame'].join(',')];
+  const switches = isBoard ? ['switch17', 'switch18'] : channels === 16 ? ['CH17', 'CH18'] : channels === 32 ? ['DG1', 'DG2'] : [];
+  const lines = [['time', ...numbers.map((i) => `CH${i + 1}`), ...switches, 'failsafe', 'lostframe'].join(',')];
   for (let sample = history.begin; sample < history.end; sample++) {
     const values = numbers.map((i) => {
       const value = history.value(sample, i);
       return Number.isNaN(value) ? '' : +value.toPrecision(7);
     });
-    const flags = [...history.switches(sample), Number(history.failsafe(sample)), Number(history.lost(sample))];
+    const flags = [...history.switches(sample).slice(0, switches.length), Number(history.failsafe(sample)), Number(history.lost(sample))];
     lines.push([shownSeconds(history.time(sample)).toFixed(6), ...values, ...flags].join(','));
   }
-  download(`sbus-${stamp()}.csv`, [lines.join('\n'), '\n'], 'text/csv');
+  const shortOf = (sample: number): string => clock(1e6 * history.time(sample)).replace(/:(\d+)\..*/, 'm$1s');
+  const ends = history.end > history.begin ? [shortOf(history.begin), shortOf(history.end - 1)] : [];
+  download(`${['sbus', stamp(), ...ends].join('-')}.csv`, [lines.join('\n'), '\n'], 'text/csv');
 }
 
 export function savePicture(svg: string): void {

@@ -6,14 +6,14 @@ import { Channels } from './channels';
 import type { Core } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
-import { History, isSample, type Samples } from './history';
+import { History, isSample } from './history';
 import { Kind, LinkState, type Sink, type Stretch } from './line';
+import type { Problem, Samples, State } from './messages';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
 import type { Second } from './source/second';
 import type { Source } from './source/Source';
-import type { State } from './worker/connection';
 import { Sensors } from './sensors';
 import { Units } from './unit';
 import { Bars } from './view/bars';
@@ -49,7 +49,7 @@ export class Scope implements Sink {
   readonly history = new History();
   readonly recorder = new Recorder();
   readonly curves: Curves;
-  readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
+  readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source), () => this.mayLeave());
   newest?: Stretch; // frame or row
   reading = ''; // the file that is being read, and how much of it
 
@@ -82,13 +82,14 @@ export class Scope implements Sink {
   constructor(
     private readonly core: Core,
     private readonly failed: (view: string, error: Error) => void,
+    problem: (problem: Problem) => void,
   ) {
     this.sensors = new Sensors(core.sensors);
     this.telemetry = new TelemetryView(this.sensors, () => this.sense());
     this.bars = new Bars(byId('bars'), core, this.channels, () => this.choice.current?.line);
     this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
-    this.curves = new Curves(byId('plot'), this.history, this.channels, this.sensors, {
+    this.curves = new Curves(byId('plot'), this.history, this.channels, this.sensors, (us) => this.visit(us), {
       pause: byId('pause'),
       window: byId('window'),
       readout: byId('readout'),
@@ -96,13 +97,26 @@ export class Scope implements Sink {
       table: byId('cursor-values'),
     });
     this.timeline = new Timeline(this.bookmarks, () => this.endRecording());
-    this.bookmarksView = new BookmarksView(this.bookmarks, () => this.shownUs, (us) => this.visit(us));
+    this.bookmarksView = new BookmarksView(this.bookmarks, () => this.shownUs, (us) => this.visit(us), problem);
     this.trigger = new TriggerView(core, this.curves, this.frames, () => this.newest, () => this.endRecording());
   }
 
   // Saves what was recorded.
   endRecording(): void {
+    if (this.recorder.on) {
+      this.bookmarks.saved(this.choice.current?.line.recordingUs);
+    }
     this.recorder.end(this.bookmarks.all, this.choice.current?.line.us ?? 0);
+  }
+
+  // Returns how many bookmarks are lost with the line: the recording that runs, if one does, is saved.
+  get lostBookmarks(): number {
+    return this.bookmarks.lost(this.recorder.on ? this.choice.current?.line.recordingUs : undefined);
+  }
+
+  private mayLeave(): boolean {
+    const lost = this.lostBookmarks;
+    return lost === 0 || confirm(`${lost === 1 ? 'A bookmark is' : `${lost} bookmarks are`} not saved, and will be lost. Go on?`);
   }
 
   // The time that is shown, in us: a recording's position, or the curves' right edge.
@@ -227,11 +241,11 @@ export class Scope implements Sink {
       return;
     }
     const nowUs = source.nowUs();
-    source.line.advance(nowUs, this);
+    source.line.advance(this);
     this.recorder.poll();
     const status = source.line.status();
     const { newest } = this;
-    const unit = this.units.of(newest);
+    const unit = this.units.of(newest, source.line.envelope);
     byId('rows').hidden = newest?.kind !== Kind.Row;
     const aside = this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state];
     setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);
@@ -251,7 +265,7 @@ export class Scope implements Sink {
       'The view of the counters': () => this.counters.draw(status, live?.events, source.line.isPreview),
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the bookmarks': () => this.bookmarksView.draw(),
-      'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
+      'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
       'The comparison': () => this.secondView.draw(this.curves.shownAs),
       'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),

@@ -3,7 +3,7 @@
 import uPlot from 'uplot';
 import { History } from './history';
 import { keep, recallObject } from './storage';
-import type { Curve } from './view/strokes';
+import type { Area, Curve, Strokes } from './view/strokes';
 import type { Unit } from './unit';
 
 export interface SensorType {
@@ -24,7 +24,7 @@ const slots = 32;
 
 export const slotOf = (column: number): number => (column - History.channels) % slots;
 
-// Returns what a line's telemetry says: see Line.telemetry().
+// Returns what a line's telemetry says: see Remote.telemetry().
 export function quantitiesIn(lines: readonly string[]): Quantity[] {
   return lines.slice(1).map((line) => line.split('\t')).map(([at, name, value, unit]) => ({ column: History.channels + Number(at), name, value, unit }));
 }
@@ -110,17 +110,11 @@ export class Sensors {
   }
 }
 
-// Fits the scales of sensors to the samples that are shown.
-export function fit(history: History, curves: readonly Curve[], begin: number, end: number): void {
+// Fits the scales of sensors to what is shown.
+export function fit(strokes: Strokes, curves: readonly Curve[], shown: Pick<Area, 'edge' | 'seconds' | 'begin' | 'end'>): void {
   for (const unit of new Set(curves.map((curve) => curve.unit).filter(({ axis }) => axis !== undefined))) {
-    let [low, high] = [Infinity, -Infinity];
-    for (const { column } of curves.filter((curve) => curve.unit === unit)) {
-      for (let sample = begin; sample < end; sample++) {
-        const value = history.value(sample, column);
-        low = value < low ? value : low;
-        high = value > high ? value : high;
-      }
-    }
+    const ends = curves.filter((curve) => curve.unit === unit).map(({ column }) => strokes.ends(column, shown));
+    const [low, high] = [Math.min(...ends.map(([least]) => least)), Math.max(...ends.map(([, greatest]) => greatest))];
     if (low <= high) {
       [unit.low, unit.high] = uPlot.rangeNum(low, high, 0.1, true) as [number, number];
     }

@@ -1,7 +1,13 @@
 // The unit of the channels' numbers: raw values of a frame, or what a sketch prints, whose unit only the user knows.
 
-import type { Range } from './core';
 import { Kind, type Stretch } from './line';
+import type { Envelope } from './messages';
+
+export interface Range {
+  low: number;
+  centre: number;
+  high: number;
+}
 
 export interface Unit {
   raw: boolean; // 0..2047: they can be scaled
@@ -44,12 +50,14 @@ export class Units {
 
   constructor(private readonly select: HTMLSelectElement) {}
 
-  of(newest: Stretch | undefined): Unit {
+  // `envelope`: of the whole recording, if that is known.
+  of(newest: Stretch | undefined, envelope?: Envelope): Unit {
     if (newest?.kind !== Kind.Row) {
       return raw;
     }
-    const low = round(Math.min(this.printed.low, ...newest.channels));
-    const high = round(Math.max(this.printed.high, ...newest.channels));
+    const [least, greatest] = envelope?.ends ?? [0, 0];
+    const low = round(Math.min(this.printed.low, least, ...newest.channels));
+    const high = round(Math.max(this.printed.high, greatest, ...newest.channels));
     if (low !== this.printed.low || high !== this.printed.high) {
       this.printed = { ...this.printed, low, high };
     }

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "ShownLine.h"
+#include "line/Silence.h"
 
 using namespace scope;
 
@@ -119,6 +120,11 @@ EXPORT(watchFor)(unsigned size)->int {
   const bool needsTime = condition && condition->needsTime();
   shownLine.watchFor(std::move(condition));
   return needsTime;
+}
+
+// Returns a line::Gap. Times in us; the line counts as silent after `limitUs`, which may be infinite.
+EXPORT(gapOf)(double beforeUs, double nowUs, double lateUs, double limitUs)->int {
+  return static_cast<int>(line::gapOf(us(beforeUs), us(nowUs), us(lateUs), us(std::min(limitUs, 1e15))));
 }
 
 // Returns the time from which a recording that begins counts.

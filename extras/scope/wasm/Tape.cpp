@@ -36,18 +36,37 @@ std::deque<line::Character> came;
 std::string error;  // in a line
 std::string words;
 
+constexpr size_t CharactersMost = 170000000;  // 17 hours of frames each 9 ms, which take 1.4 GB of memory
+
 void keep() {
   for (const line::Character &character : came) {
     tape.characters.push_back(character);
   }
   came.clear();
+  if (tape.characters.size() > CharactersMost && error.empty()) {
+    error = "is longer than 17 hours, for which the page has memory: sbus summary and sbus csv can read it";
+  }
+}
+
+bool isCut = false;      // the last line has no LF: the power may have failed within it
+bool isLeftOut = false;  // all of it was left out, or its last byte, since it was not whole
+
+void takeCutLine(std::string_view text) {
+  const bool isHalfByte = head.kind == line::FileKind::Recording && text.size() > 2 && text[text.size() - 2] == ' ';
+  text.remove_suffix(isHalfByte ? 2 : 0);
+  const std::string wrong = reader->cutLine(text, came);
+  isCut = true;
+  isLeftOut = isHalfByte || !wrong.empty() || (head.kind == line::FileKind::Rows && came.empty());
+  keep();
 }
 
 // Takes the next piece of a text; an empty one is its end.
 void takeLines(std::string_view text) {
   lines.put(text);
   for (std::string line; lines.take(line);) {
-    if (error.empty()) {
+    if (error.empty() && lines.isCut() && lines.wrong().empty() && !tape.characters.empty()) {
+      takeCutLine(line);
+    } else if (error.empty()) {
       error = !lines.wrong().empty() ? lines.wrong() : lines.isCut() ? reader->cutLine(line, came) : reader->line(line, came);
       error = error.empty() ? "" : "line " + std::to_string(lines.number()) + ": " + error;
       keep();
@@ -67,7 +86,11 @@ void takeText(std::string_view text) {
 std::string finishText() {
   takeText(plain.finish());
   takeLines({});
-  error = error.empty() ? reader->finish(came) : error;
+  const std::string missing = reader->finish(came);
+  error = error.empty() && !isCut ? missing : error;
+  if (isLeftOut || (isCut && !missing.empty())) {
+    head.note += (head.note.empty() ? "" : ", ") + std::string("cut off within its last line: what was not whole is left out");
+  }
   keep();
   tape.zeroUs = reader->zeroUs();
   if (reader->bookmarks() != nullptr) {
@@ -158,10 +181,10 @@ EXPORT(sessionSamples)(unsigned count)->void {
 // The file's next bytes are in the buffer.
 EXPORT(fileText)(unsigned count)->void {
   const std::string_view bytes = transferred(count);
-  if (head.kind == line::FileKind::Bytes) {
+  if (head.kind == line::FileKind::Bytes && error.empty()) {
     reader->line(bytes, came);
     keep();
-  } else {
+  } else if (head.kind != line::FileKind::Bytes) {
     takeText(plain.put(bytes));
   }
 }

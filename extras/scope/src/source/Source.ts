@@ -1,14 +1,7 @@
 // Where a line comes from.
 
-import type { Found } from '../faults';
-import type { State } from '../worker/connection';
+import type { Found, State } from '../messages';
 import type { Remote } from './remote';
-
-// What is wrong, and what to do.
-export interface Problem {
-  text: string;
-  remedy: string;
-}
 
 export interface Source {
   // Its name for the user.

@@ -1,7 +1,7 @@
 // The source that the page shows: always the one that was chosen last. The running source continues until the next one is ready,
 // and also if that one fails.
 
-import type { State } from '../worker/connection';
+import type { State } from '../messages';
 
 interface Chosen {
   readonly state: State;
@@ -13,10 +13,12 @@ export class Choice<Source extends Chosen> {
   private asking?: AbortController;
   private preparing?: AbortController;
 
-  // `leaving`: called before the running source is closed. `entered`: called with each new one.
+  // `leaving`: called before the running source is closed. `entered`: called with each new one. `mayLeave`: asks the user, if something
+  // would be lost.
   constructor(
     private readonly leaving: () => void,
     private readonly entered: (source: Source) => void,
+    private readonly mayLeave = (): boolean => true,
   ) {}
 
   get state(): State {
@@ -40,8 +42,11 @@ export class Choice<Source extends Chosen> {
   }
 
   // Changes to another source. `prepare` does what takes time, and may throw; `signal` aborts when a later source is chosen. The
-  // function that it returns makes the source, once the running one is closed.
-  async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<void> {
+  // function that it returns makes the source, once the running one is closed. Returns false if the user stays.
+  async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<boolean> {
+    if (!this.mayLeave()) {
+      return false;
+    }
     this.preparing?.abort();
     const { signal } = (this.preparing = new AbortController());
     try {
@@ -56,6 +61,7 @@ export class Choice<Source extends Chosen> {
     } finally {
       this.preparing = signal === this.preparing?.signal ? undefined : this.preparing;
     }
+    return true;
   }
 
   private replace(make: () => Source): void {

@@ -1,6 +1,6 @@
 // The browser's dialog, in which the user picks a port.
 
-import type { Problem } from './Source';
+import type { Problem } from '../messages';
 
 export type PortKind = 'adapter' | 'board';
 

@@ -1,8 +1,7 @@
 // A serial port, through Web Serial: an adapter that receives S.Bus itself, or a board that prints numbers.
 
 import type { Core } from '../core';
-import type { State } from '../worker/connection';
-import type { PortPlace } from '../worker/messages';
+import type { PortPlace, State } from '../messages';
 import { deviceName, idsOf } from './device';
 import type { PortKind } from './pick';
 import { Remote } from './remote';

@@ -1,7 +1,7 @@
 // A recording, rows of CSV or a capture of the wire, with a time line.
 
 import type { Core } from '../core';
-import type { Fault, Found } from '../faults';
+import type { Fault, Found } from '../messages';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
@@ -24,7 +24,9 @@ export class RecordingSource implements Source {
   // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
     const line = await Remote.read(core, file, signal, progress);
-    return () => new RecordingSource(line, line.carrier ? `Capture ${file.name}, ${line.carrier}` : `Recording ${file.name}${line.note && `, ${line.note}`}`, file);
+    const began = line.startUs === undefined ? '' : `of ${new Date(line.startUs / 1000).toLocaleString()}`;
+    const words = line.carrier ? [`Capture ${file.name}`, line.carrier] : [`Recording ${file.name}`, began, line.note];
+    return () => new RecordingSource(line, words.filter(Boolean).join(', '), file);
   }
 
   get lengthUs(): number {

@@ -1,15 +1,10 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
-import type { Bookmark } from '../bookmarks';
-import type { Comparison } from '../comparison';
 import type { Core } from '../core';
-import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
-import type { Line, Sink, Status } from '../line';
+import type { Sink, Status } from '../line';
+import type { Answer, Bookmark, Comparison, Envelope, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
-import type { Answer, Live, LiveState, Opening, Picture, Request, Wire } from '../worker/messages';
 import { findPort } from '../worker/portFeed';
-import PlayingWorker from '../worker/worker?worker&inline';
-import type { Problem } from './Source';
 
 const noWorker: Problem = {
   text: 'This browser cannot start a worker, which the page needs for recordings.',
@@ -26,7 +21,7 @@ const notBeside: Problem = {
   remedy: 'Open the first port again, then press Compare… again.',
 };
 
-const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
+const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
 
@@ -38,17 +33,19 @@ interface Channel {
 
 let lines = 0;
 
-export class Remote implements Line {
+export class Remote {
   wantedUs = 0; // the position to play to
   note = ''; // what a user should know of a file
   zeroUs = 0; // a file's own time at time 0, not above 0
+  startUs?: number; // when time 0 of a recording was, in us since 1970, if it says so
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
+  envelope?: Envelope; // of a long one
   compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison of recordings
   comparedSoFar?: Comparison; // of a live line with the one beside it
   wire?: Wire; // the part that was asked for last
-  recordingUs = 0; // from when on the newest recording counts
+  recordingUs = 0; // the line's time from which the newest recording counts
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -73,7 +70,7 @@ export class Remote implements Line {
   // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Remote> {
     if (file.size > largest) {
-      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus summary and sbus csv can read it`);
+      throw new Error(`${file.name}: is larger than ${largest / 1e9} GB: sbus summary and sbus csv can read it`);
     }
     const worker = makeWorker();
     try {
@@ -91,10 +88,11 @@ export class Remote implements Line {
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const { lengthUs, carrier, bookmarks, picture, note = '', zeroUs = 0 } = await opened;
+      const { lengthUs, carrier, bookmarks, picture, note = '', zeroUs = 0, startUs } = await opened;
       const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, bookmarks, carrier, picture).listening();
       remote.note = note;
       remote.zeroUs = zeroUs;
+      remote.startUs = startUs;
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
         remote.fail();
@@ -210,8 +208,8 @@ export class Remote implements Line {
     return this.picture.faults;
   }
 
-  // Ignores the time: what was asked for comes with one of the next pictures.
-  advance(_nowUs: number, sink: Sink): void {
+  // Hands over all that has come, and asks for what is wanted: that comes with one of the next pictures.
+  advance(sink: Sink): void {
     for (const answer of this.came.splice(0)) {
       this.show(answer, sink);
     }
@@ -224,14 +222,18 @@ export class Remote implements Line {
     return this.picture.status;
   }
 
+  // True until the line before the place that it has jumped to is decoded: what the status counts, and the link quality, is not known.
   get isPreview(): boolean {
     return this.picture.isPreview === true;
   }
 
+  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's
+  // readings, name, value and unit, with tabs between. Empty without telemetry.
   telemetry(): readonly string[] {
     return this.picture.telemetry;
   }
 
+  // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
   travel(channel: number): [number, number] | undefined {
     return this.picture.travel[channel];
   }
@@ -244,12 +246,14 @@ export class Remote implements Line {
     this.ask({ kind: 'record', on: true });
   }
 
+  // Returns what was recorded since the last call.
   takeRecorded(): string {
     const { text } = this;
     this.text = '';
     return text;
   }
 
+  // Ends the recording. Returns the rest of it.
   endRecorded(): Promise<string> {
     if (this.failure) {
       return Promise.resolve(this.takeRecorded());
@@ -289,6 +293,8 @@ export class Remote implements Line {
       this.ended = undefined;
     } else if (answer.kind === 'faults') {
       this.faults = answer.map;
+    } else if (answer.kind === 'envelope') {
+      this.envelope = answer.envelope;
     } else if (answer.kind === 'flight') {
       this.flight = answer.flight;
     } else if (answer.kind === 'compared') {
@@ -330,10 +336,13 @@ export class Remote implements Line {
 }
 
 function makeWorker(): Worker {
+  const url = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
   try {
-    return new PlayingWorker();
+    return new Worker(url);
   } catch {
     throw noWorker;
+  } finally {
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
   }
 }
 

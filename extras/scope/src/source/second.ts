@@ -1,16 +1,19 @@
 // A second line, B, beside the one that is shown, A: a recording beside a recording, or a port beside a port. B is at the same
 // moment, by the delay that was measured.
 
-import { type Comparison, otherUs } from '../comparison';
 import type { Core } from '../core';
-import { History, isSample, type Samples } from '../history';
+import { History, isSample } from '../history';
 import type { Sink, Stretch } from '../line';
+import type { Comparison, Samples } from '../messages';
 import { PortSource } from './port';
 import type { RecordingSource } from './recording';
 import { Remote } from './remote';
 
 const jumpUs = 2000000; // what is further away is sought
 let ids = 0;
+
+// Returns B's time at a time of A, in us.
+export const otherUs = ({ atZeroUs, driftPpm, laterUs }: Comparison, us: number): number => us + atZeroUs + (driftPpm * us) / 1e6 - laterUs;
 
 export abstract class Second implements Sink {
   readonly history = new History();
@@ -91,7 +94,7 @@ export class SecondRecording extends Second {
       } else {
         line.seek(us);
       }
-      line.advance(us, this);
+      line.advance(this);
     }
   }
 
@@ -119,7 +122,8 @@ export class SecondPort extends Second {
   }
 
   follow(): void {
-    this.line.advance(this.source.nowUs(), this);
+    this.source.nowUs();
+    this.line.advance(this);
   }
 
   at(us: number): number {

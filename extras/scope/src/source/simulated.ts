@@ -1,6 +1,7 @@
 // The built-in receiver: the page works without any hardware.
 
-import type { Core, Setting, Simulation } from '../core';
+import type { Core } from '../core';
+import type { Setting, Simulation } from '../messages';
 import { Remote } from './remote';
 import type { Source } from './Source';
 

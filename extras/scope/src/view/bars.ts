@@ -3,7 +3,8 @@
 import type { Channels } from '../channels';
 import type { Core } from '../core';
 import { make, setAttribute, setText } from '../dom';
-import type { Line, Stretch } from '../line';
+import type { Stretch } from '../line';
+import type { Remote } from '../source/remote';
 import { Throttle } from '../throttle';
 import type { Unit } from '../unit';
 import { chipOf } from './chip';
@@ -34,7 +35,7 @@ export class Bars {
     private readonly list: HTMLElement,
     private readonly core: Core,
     private readonly channels: Channels,
-    private readonly line: () => Line | undefined,
+    private readonly line: () => Remote | undefined,
   ) {}
 
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {

@@ -1,8 +1,9 @@
 // The bookmarks of the line: set by a button or B; a card lists them, once there are some.
 
 import { clock } from '../clock';
-import { type Bookmark, type Bookmarks, commentsOf, longestName } from '../bookmarks';
+import { type Bookmarks, commentsOf, longestName, withoutList } from '../bookmarks';
 import { byId, download, make, setText } from '../dom';
+import type { Bookmark, Problem } from '../messages';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 
@@ -18,12 +19,13 @@ export class BookmarksView {
     private readonly bookmarks: Bookmarks,
     private readonly now: () => number,
     private readonly visit: (us: number) => void,
+    private readonly failed: (problem: Problem) => void,
   ) {
     byId('bookmark').addEventListener('click', () => this.add());
     for (const root of [byId('plot'), byId('timeline')]) {
       root.addEventListener('keydown', (event) => this.key(event));
     }
-    this.save.addEventListener('click', () => this.saveFile());
+    this.save.addEventListener('click', () => void this.saveFile());
   }
 
   enter(source: Source): void {
@@ -39,9 +41,9 @@ export class BookmarksView {
       this.shown = all;
       byId('bookmarks').hidden = all.length === 0 && !this.source?.line.bookmarks?.length;
       this.rows = new Map(all.map((bookmark) => [bookmark, this.rows.get(bookmark) ?? this.row(bookmark)]));
-      const rows = [...this.rows.values()]; // those that stay keep the focus
-      [...this.list.children].filter((row) => !rows.includes(row as HTMLElement)).forEach((row) => row.remove());
-      rows.forEach((row, i) => this.list.children[i] !== row && this.list.insertBefore(row, this.list.children[i] ?? null));
+      const rows = new Set<Element>(this.rows.values()); // those that stay keep the focus
+      [...this.list.children].filter((row) => !rows.has(row)).forEach((row) => row.remove());
+      [...rows].forEach((row, i) => this.list.children[i] !== row && this.list.insertBefore(row, this.list.children[i] ?? null));
     }
   }
 
@@ -73,10 +75,19 @@ export class BookmarksView {
   }
 
   // Saves the recording that is played, with the bookmarks as they are now.
-  private saveFile(): void {
-    if (this.source instanceof RecordingSource) {
-      const { file, line } = this.source;
-      download(file.name, [file, '\n', commentsOf(this.bookmarks.all, Boolean(line.bookmarks?.length))], 'text/plain');
+  private async saveFile(): Promise<void> {
+    if (!(this.source instanceof RecordingSource)) {
+      return;
+    }
+    const { file } = this.source;
+    try {
+      download(file.name, [...(await withoutList(file)), commentsOf(this.bookmarks.all)], 'text/plain');
+      this.bookmarks.saved();
+    } catch {
+      this.failed({
+        text: `${file.name} is not saved: the file has changed since it was opened, or is gone.`,
+        remedy: 'Put the file back as it was, and press Save again. Until then the page keeps the bookmarks.',
+      });
     }
   }
 }

@@ -1,7 +1,7 @@
 // A button that shows or hides a curve, with a piece of the curve.
 
 import { make, svg } from '../dom';
-import { colorOf, dashOf } from './dash';
+import { colorOf, dashOf } from './palette';
 
 export function chipOf(curves: Set<number>, column: number, name: HTMLElement): HTMLButtonElement {
   const chip = make('button', { class: 'chip', 'aria-pressed': String(curves.has(column)) }, swatch(column), name);

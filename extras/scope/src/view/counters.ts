@@ -30,7 +30,7 @@ export class CountersView {
     rows.forEach(([key, name, title]) => this.add(key, name, title));
   }
 
-  // `isPreview`: see Line.
+  // `isPreview`: see Remote.
   draw(status: Status, events: ReadonlyMap<string, number> | undefined, isPreview: boolean): void {
     if (!this.text.due) {
       return;

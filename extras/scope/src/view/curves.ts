@@ -1,12 +1,14 @@
-// Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or the curves are paused.
+// Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or
+// the curves are paused; or a whole recording.
 
 import type uPlot from 'uplot';
-import type { Bookmark } from '../bookmarks';
 import type { Channels } from '../channels';
+import { widthText } from '../clock';
 import { setText } from '../dom';
 import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
+import type { Bookmark, Envelope } from '../messages';
 import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
 import { CursorTable } from './cursorTable';
@@ -14,12 +16,13 @@ import { Cursors } from './cursors';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { picture } from './picture';
-import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, valuesAt, within } from './plot';
-import { type Area, type Curve, trace } from './strokes';
+import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, within } from './plot';
+import { type Area, type Curve, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
 import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
+const awayMs = 300; // at rest, where no samples are kept, until the recording goes there
 
 export interface Lane {
   curves: Curve[];
@@ -29,6 +32,7 @@ export interface Lane {
   thickness: number;
   edge: number; // s
   seconds: number;
+  isWhole: boolean; // by its envelope
 }
 
 // The pointer on the curves of one line is on those of the other as well.
@@ -41,7 +45,12 @@ export class Curves {
   private plot?: uPlot;
   private shown = ''; // channels and colours that the plot was made for
   private readonly view = new Viewport();
-  private drawn = { edge: NaN, seconds: 0, begin: 0, end: 0, atMs: 0 };
+  private drawn = { edge: NaN, seconds: 0, begin: 0, end: 0, nowUs: 0, atMs: 0 };
+  private readonly samples: SampleStrokes;
+  private whole?: { envelope: Envelope; strokes: EnvelopeStrokes };
+  private strokes: Strokes;
+  private nowUs = 0;
+  private movedMs = Infinity; // when the user has looked elsewhere
   private unit?: Unit;
   private palette?: Palette;
   private curves: Curve[] = [];
@@ -57,16 +66,20 @@ export class Curves {
     private readonly history: History,
     private readonly channels: Channels,
     private readonly sensors: Sensors,
+    private readonly visit: (us: number) => void, // goes to a place of a recording
     private readonly ui: { pause: HTMLElement; window: HTMLElement; readout: HTMLElement; cursors: HTMLElement; table: HTMLElement },
   ) {
+    this.strokes = this.samples = new SampleStrokes(history);
     this.table = new CursorTable(ui.table, history);
     this.cursors = new Cursors(history, this.view, ui.cursors, (on) => this.pause(on || this.paused), () => this.told());
     keepSize(root, () => this.plot);
     root.addEventListener('keydown', (event) => this.key(event));
     new Gestures(root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
-      scroll: (part) => this.look((view) => view.scroll(part)),
-      zoom: (factor, part) => this.look((view) => view.zoom(factor, part)),
+      scroll: (part) => this.move((view) => view.scroll(part)),
+      zoom: (factor, part) => this.move((view) => view.zoom(factor, part)),
+      step: (steps) => this.zoom(steps),
+      end: () => this.pause(false),
       reset: () => this.look((view) => view.reset()),
     });
     this.told();
@@ -85,7 +98,7 @@ export class Curves {
   get shownAs(): Lane | undefined {
     const { curves, unit, palette, longest, thickness } = this;
     const channels = curves.filter((curve) => curve.unit.axis === undefined);
-    return unit && palette && { curves: channels, unit, palette, longest, thickness, edge: this.view.edge, seconds: this.view.seconds };
+    return unit && palette && { curves: channels, unit, palette, longest, thickness, edge: this.view.edge, seconds: this.view.seconds, isWhole: this.strokes !== this.samples };
   }
 
   pause(on: boolean): void {
@@ -122,7 +135,7 @@ export class Curves {
 
   // +1 zooms in.
   zoom(steps: number): void {
-    this.look((view) => view.step(steps));
+    this.move((view) => view.step(steps));
   }
 
   // Removes the cursors and ends a pause: another source follows.
@@ -139,12 +152,17 @@ export class Curves {
   // Returns what is shown, as the text of an SVG file.
   svg(title: string): string {
     const { curves, unit, palette, drawn: times, longest, thickness } = this;
-    return picture(this.history, { title, curves, unit: unit as Unit, times, longest, thickness }, palette as Palette);
+    return picture(this.strokes, { title, curves, unit: unit as Unit, times, longest, thickness }, palette as Palette);
   }
 
-  // `intervalUs`: the mean interval of frames or rows.
-  draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number): void {
-    this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0);
+  // `intervalUs`: the mean interval of frames or rows. `envelope`: of a whole recording.
+  draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number, envelope: Envelope | undefined): void {
+    if (envelope !== this.whole?.envelope) {
+      this.whole = envelope && { envelope, strokes: new EnvelopeStrokes(envelope) };
+    }
+    this.nowUs = nowUs;
+    this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0, this.whole?.strokes.seconds);
+    this.choose();
     this.intervalUs = intervalUs;
     this.rows = newest !== undefined && newest.bytes.length === 0;
     const channels = this.channels.drawn(newest?.channels.length || 16);
@@ -156,13 +174,35 @@ export class Curves {
       this.make(this.curves);
     }
     if (this.hasMoved()) {
-      const { edge, seconds, begin, end } = this.drawn;
-      fit(this.history, this.curves, begin, end);
+      const { edge, seconds } = this.drawn;
+      fit(this.strokes, this.curves, this.drawn);
       showTime(this.plot as uPlot, edge, seconds);
     }
     this.read();
     this.cursors.draw();
     this.table.draw(this.cursors.samples, this.curves);
+  }
+
+  // Chooses what is drawn. Where no samples are kept, the recording goes there as soon as the user rests.
+  private choose(): void {
+    const { view, whole } = this;
+    const strokes = whole && (view.isWide || view.isAway) ? whole.strokes : this.samples;
+    if (strokes !== this.strokes) {
+      this.strokes = strokes;
+      this.drawn.edge = NaN;
+    }
+    if (performance.now() - this.movedMs > awayMs) {
+      this.movedMs = Infinity;
+      if (view.isAway && !view.isWide) {
+        this.visit(1e6 * view.edge);
+      }
+    }
+  }
+
+  // The user looks elsewhere.
+  private move(act: (view: Viewport) => void): void {
+    this.movedMs = performance.now();
+    this.look(act);
   }
 
   private look(act: (view: Viewport) => void): void {
@@ -173,7 +213,7 @@ export class Curves {
   private told(): void {
     this.ui.pause.setAttribute('aria-pressed', String(this.paused));
     setText(this.ui.pause, this.paused ? 'Continue' : 'Pause');
-    setText(this.ui.window, `${+this.view.seconds.toPrecision(3)} s`);
+    setText(this.ui.window, widthText(this.view.seconds));
   }
 
   // Returns true if the curves have moved by a pixel: a minute and more is drawn a few times a second.
@@ -183,12 +223,13 @@ export class Curves {
     const { begin, end } = history.around(edge - seconds, edge);
     const nowMs = performance.now();
     const pixels = (Math.abs(edge - drawn.edge) / seconds) * (this.plot as uPlot).bbox.width;
-    const alike = seconds === drawn.seconds && pixels < 1;
+    const marks = this.strokes === this.samples ? 0 : Math.abs(this.nowUs - drawn.nowUs) / seconds / 1e6; // the position moves
+    const alike = seconds === drawn.seconds && pixels < 1 && marks * (this.plot as uPlot).bbox.width < 1;
     const same = edge === drawn.edge && begin === drawn.begin && end === drawn.end;
     if (alike && (same || nowMs - drawn.atMs < restMs)) {
       return false;
     }
-    this.drawn = { edge, seconds, begin, end, atMs: nowMs };
+    this.drawn = { edge, seconds, begin, end, nowUs: this.nowUs, atMs: nowMs };
     return true;
   }
 
@@ -202,34 +243,26 @@ export class Curves {
   }
 
   private get thickness(): number {
-    return this.curves.length > many ? 1 : 2;
+    return this.curves.length > many || this.strokes !== this.samples ? 1 : 2;
   }
 
   // Shows the values at the pointer.
   private read(): void {
     const seconds = pointedAt(this.plot);
-    const hint = this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '';
-    setText(this.ui.readout, seconds === undefined || this.history.end === 0 ? hint : valuesAt(this.history, this.curves, seconds));
+    const hint = this.strokes !== this.samples
+      ? 'Each column reaches from the lowest to the highest value. Zoom into a part to go there.'
+      : this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '';
+    setText(this.ui.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
   }
 
+  // Gestures has the other keys.
   private key(event: KeyboardEvent): void {
-    const scroll = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 }[event.key];
     if (event.key === ' ') {
       this.pause(!this.paused);
-    } else if (event.key === '+' || event.key === '=') {
-      this.zoom(1);
-    } else if (event.key === '-') {
-      this.zoom(-1);
-    } else if (event.key === 'End') {
-      this.pause(false);
-    } else if (event.key === '0') {
-      this.look((view) => view.reset());
     } else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) {
       this.cursors.toggle(true);
     } else if (event.key === 'Escape' && this.cursors.on) {
       this.cursors.clear();
-    } else if (scroll !== undefined) {
-      this.look((view) => view.scroll(scroll));
     } else {
       return;
     }
@@ -254,7 +287,7 @@ export class Curves {
           ...axisOf(palette), grid: { show: false }, scale: scaleOf(each), side: 1 as const, size: widthOf, values: (_: uPlot, ticks: number[]): string[] => ticks.map(each.text),
         })),
       ],
-      series: seriesOf(curves, palette, this.thickness, (plot, curve, pen) => trace(this.history, curve, this.area(plot), this.longest, pen)),
+      series: seriesOf(curves, palette, this.thickness, (plot, curve, pen) => this.strokes.trace(curve, this.area(plot), this.longest, pen)),
       cursor: {
         drag: { x: true, y: false, setScale: false },
         sync: together,
@@ -267,7 +300,7 @@ export class Curves {
           (plot): void => {
             const { left, width } = plot.select;
             if (width > 4) {
-              this.look((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
+              this.move((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
               plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
             }
           },
@@ -285,28 +318,39 @@ export class Curves {
       ctx.textBaseline = 'top';
       ctx.strokeStyle = ctx.fillStyle = palette.ink;
       ctx.setLineDash([2 * pixel, 2 * pixel]);
-      for (const { us, name } of this.bookmarks) {
+      ctx.textAlign = 'left';
+      const [from, to] = this.shownUs;
+      const gap = 4 * pixel;
+      let freeX = bbox.left; // names do not lie on each other
+      for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
         const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-        const isNear = x + ctx.measureText(name).width > bbox.left + bbox.width; // the right edge
-        ctx.textAlign = isNear ? 'right' : 'left';
+        const { width } = ctx.measureText(name);
+        const textX = x + gap + width > bbox.left + bbox.width ? x - gap - width : x + gap; // not over the right edge
         ctx.beginPath();
         ctx.moveTo(x, bbox.top);
         ctx.lineTo(x, bbox.top + bbox.height);
         ctx.stroke();
-        ctx.fillText(name, x + (isNear ? -4 : 4) * pixel, bbox.top + 2 * pixel);
+        if (textX >= freeX) {
+          ctx.fillText(name, textX, bbox.top + 2 * pixel);
+          freeX = textX + width + gap;
+        }
       }
     });
   }
 
-  // Below the curves: losses, and the moment that is marked.
+  // Below the curves: losses, the position on a whole recording, and the moment that is marked.
   private bands(plot: uPlot, palette: Palette): void {
-    drawBands(plot, this.history, this.area(plot), palette);
-    const { event } = this;
-    if (event !== undefined) {
+    drawBands(plot, this.strokes, this.area(plot), palette);
+    const mark = (seconds: number, color: string): void =>
       within(plot, (ctx, bbox) => {
-        ctx.fillStyle = palette.ink;
-        ctx.fillRect(Math.round(plot.valToPos(event, 'x', true)) - 1, bbox.top, 2, bbox.height);
+        ctx.fillStyle = color;
+        ctx.fillRect(Math.round(plot.valToPos(seconds, 'x', true)) - 1, bbox.top, 2, bbox.height);
       });
+    if (this.strokes !== this.samples) {
+      mark(this.nowUs / 1e6, palette.muted);
+    }
+    if (this.event !== undefined) {
+      mark(this.event, palette.ink);
     }
   }
 }

@@ -1,4 +1,4 @@
-// Mouse, wheel and fingers on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel
+// Mouse, wheel, fingers and keys on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel
 // and two fingers zoom there, a double click resets. With Shift, uPlot selects instead. A tap points like a mouse.
 
 const slopPx = { mouse: 3, touch: 8 }; // a click or a tap may tremble
@@ -13,6 +13,10 @@ interface Gestured {
   scroll(part: number): void;
   // Shows `factor` times as much; what is at this part of the width stays there.
   zoom(factor: number, part: number): void;
+  // To the next round width: +1 zooms in.
+  step(steps: number): void;
+  // Goes to the newest.
+  end(): void;
   reset(): void;
 }
 
@@ -28,10 +32,29 @@ export class Gestures {
     element.addEventListener('pointerdown', (event) => this.put(event));
     element.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     element.addEventListener('dblclick', () => this.curves.reset());
+    element.addEventListener('keydown', (event) => this.key(event));
     addEventListener('pointermove', (event) => this.move(event));
     for (const end of ['pointerup', 'pointercancel'] as const) {
       addEventListener(end, (event) => this.lift(event));
     }
+  }
+
+  private key(event: KeyboardEvent): void {
+    const { curves } = this;
+    const part = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 }[event.key];
+    const steps = { '+': 1, '=': 1, '-': -1 }[event.key];
+    if (part !== undefined) {
+      curves.scroll(part);
+    } else if (steps !== undefined) {
+      curves.step(steps);
+    } else if (event.key === 'End') {
+      curves.end();
+    } else if (event.key === '0') {
+      curves.reset();
+    } else {
+      return;
+    }
+    event.preventDefault();
   }
 
   private put(event: PointerEvent): void {

@@ -4,20 +4,15 @@ import { make, setAttribute, setText } from '../dom';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 import { Throttle } from '../throttle';
 
-export const stateNames: Record<LinkState, string> = {
-  [LinkState.NeverSeen]: 'Never seen',
-  [LinkState.Ok]: 'Fine',
-  [LinkState.Lossy]: 'Lossy',
-  [LinkState.Failsafe]: 'Failsafe',
-  [LinkState.Stale]: 'Stale',
+// Name and severity.
+const states: Record<LinkState, [string, string]> = {
+  [LinkState.NeverSeen]: ['Never seen', 'note'],
+  [LinkState.Ok]: ['Fine', 'good'],
+  [LinkState.Lossy]: ['Lossy', 'warning'],
+  [LinkState.Failsafe]: ['Failsafe', 'alarm'],
+  [LinkState.Stale]: ['Stale', 'alarm'],
 };
-const severities: Record<LinkState, string> = {
-  [LinkState.NeverSeen]: 'note',
-  [LinkState.Ok]: 'good',
-  [LinkState.Lossy]: 'warning',
-  [LinkState.Failsafe]: 'alarm',
-  [LinkState.Stale]: 'alarm',
-};
+export const stateName = (state: LinkState): string => states[state][0];
 
 // Of frames, of rows.
 const labels = [['Newest frame', 'Rate', 'Frame interval'], ['Newest row', 'Rate', 'Row interval']];
@@ -84,11 +79,11 @@ export class LinkView {
     }
   }
 
-  // `isPreview`: see Line.
+  // `isPreview`: see Remote.
   draw(status: Status, newest: Stretch | undefined, isPreview: boolean): void {
     const state = status.state as LinkState;
-    setText(this.state, stateNames[state]);
-    setAttribute(this.stateTile, 'data-severity', severities[state]);
+    setText(this.state, stateName(state));
+    setAttribute(this.stateTile, 'data-severity', states[state][1]);
     this.indicators.forEach((indicator, flag) => {
       const flags = newest?.flags ?? 0;
       const on = flag === Flag.LostFrame ? status.showsLostFrame > 0 : flag === Flag.Failsafe ? status.showsFailsafe > 0 : (flags & flag) !== 0;

@@ -1,7 +1,7 @@
 // Says what has failed, and what to do. It says nothing about the line, and fades; the verdict stays.
 
 import { byId, setText } from '../dom';
-import type { Problem } from '../source/Source';
+import type { Problem } from '../messages';
 
 const shownMs = 20000;
 

@@ -1,11 +1,9 @@
 // The curves as they are shown, as an SVG file: it stays sharp at any size, also on paper, and its texts can be edited.
 
-import { shownSeconds } from '../clock';
-import type { History } from '../history';
+import { shownSeconds, widthText } from '../clock';
 import { ticksOf, type Unit } from '../unit';
-import { colorOf, dashOf } from './dash';
-import type { Palette } from './palette';
-import { bands, trace, type Area, type Curve } from './strokes';
+import { colorOf, dashOf, type Palette } from './palette';
+import type { Area, Curve, Strokes } from './strokes';
 
 const width = 1200;
 const left = 70;
@@ -25,7 +23,7 @@ interface Shown {
   thickness: number;
 }
 
-export function picture(history: History, shown: Shown, palette: Palette): string {
+export function picture(strokes: Strokes, shown: Shown, palette: Palette): string {
   const { title, curves, unit, times, longest, thickness } = shown;
   const area: Area = { ...times, left, top, width: width - left - right, height: plotHeight };
   const bottom = top + plotHeight;
@@ -38,10 +36,10 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
     void parts.push(`<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" ${paint('stroke', stroke)}${more}/>`);
 
   text(left, 28, title, ` font-size="18" font-weight="600" ${paint('fill', palette.ink)}`);
-  text(left, 50, `${+area.seconds.toPrecision(3)} s up to ${shownSeconds(area.edge).toFixed(3)} s`);
+  text(left, 50, `${widthText(area.seconds)} up to ${shownSeconds(area.edge).toFixed(3)} s`);
   parts.push(`<clipPath id="plot"><rect x="${left}" y="${top}" width="${area.width}" height="${plotHeight}"/></clipPath>`);
   parts.push('<g clip-path="url(#plot)">');
-  bands(history, area, (x, wide, failsafe) => {
+  strokes.bands(area, (x, wide, failsafe) => {
     const fill = paint('fill', palette[failsafe ? 'alarm-band' : 'warning-band']);
     parts.push(`<rect x="${x.toFixed(1)}" y="${top}" width="${wide.toFixed(1)}" height="${plotHeight}" ${fill}/>`);
   });
@@ -62,7 +60,7 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
     const dash = dashOf(column).join(' ') || 'none';
     const stroke = `${paint('stroke', palette.curves[colorOf(column)])} stroke-width="${thickness}" stroke-dasharray="${dash}"`;
     const pen = new Path();
-    trace(history, curve, area, longest, pen);
+    strokes.trace(curve, area, longest, pen);
     parts.push(
       `<path clip-path="url(#plot)" fill="none" stroke-linejoin="round" ${stroke} d="${pen.text}"><title>${escaped(name)}</title></path>`,
     );
@@ -92,7 +90,7 @@ class Path {
 
 // Returns the step from tick to tick: at most twelve.
 function stepOf(seconds: number): number {
-  return [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find((step) => seconds / step <= 12) ?? 30;
+  return [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1800].find((step) => seconds / step <= 12) ?? 7200;
 }
 
 // SVG 1.1 knows no alpha in a colour, nor do some programs that read it.
@@ -102,5 +100,6 @@ function paint(what: 'fill' | 'stroke', color: string): string {
 }
 
 function escaped(text: string): string {
-  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+  // XML 1.0 has no control characters.
+  return text.replace(/\p{Cc}/gu, ' ').replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }

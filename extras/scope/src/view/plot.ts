@@ -3,11 +3,9 @@
 import { shownSeconds } from '../clock';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import type { History } from '../history';
 import { ticksOf, type Unit } from '../unit';
-import { colorOf, dashOf } from './dash';
-import type { Palette } from './palette';
-import { type Area, bands, type Curve, type Pen } from './strokes';
+import { colorOf, dashOf, type Palette } from './palette';
+import type { Area, Curve, Pen, Strokes } from './strokes';
 
 // Makes a plot that fills an element.
 export function plotIn(root: HTMLElement, { cursor, ...options }: Omit<uPlot.Options, 'width' | 'height'>): uPlot {
@@ -74,8 +72,8 @@ export function within({ ctx, bbox }: uPlot, draw: (ctx: CanvasRenderingContext2
 }
 
 // Marks where the receiver was in failsafe, and where radio frames were lost.
-export function drawBands(plot: uPlot, history: History, area: Area, palette: Palette): void {
-  within(plot, (ctx, bbox) => bands(history, area, (x, width, failsafe) => {
+export function drawBands(plot: uPlot, strokes: Strokes, area: Area, palette: Palette): void {
+  within(plot, (ctx, bbox) => strokes.bands(area, (x, width, failsafe) => {
     ctx.fillStyle = palette[failsafe ? 'alarm-band' : 'warning-band'];
     ctx.fillRect(x, bbox.top, width, bbox.height);
   }));
@@ -85,14 +83,4 @@ export function drawBands(plot: uPlot, history: History, area: Area, palette: Pa
 export function pointedAt(plot: uPlot | undefined): number | undefined {
   const left = plot?.cursor.left ?? -1;
   return left < 0 ? undefined : plot?.posToVal(left, 'x');
-}
-
-// Returns the time and the values of the sample that is nearest to a time.
-export function valuesAt(history: History, curves: readonly Curve[], seconds: number): string {
-  const sample = history.nearest(seconds);
-  const values = curves.map(({ column, name, unit }) => {
-    const value = history.value(sample, column);
-    return `${name} ${Number.isNaN(value) ? '–' : unit.text(value)}`;
-  });
-  return [`${shownSeconds(history.time(sample)).toFixed(3)} s`, ...values].join('   ');
 }

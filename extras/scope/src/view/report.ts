@@ -1,8 +1,9 @@
 // A whole recording at a glance: its verdict, its figures, its worst seconds and its longest faults, each of which can be visited.
 
+import { FlightKind } from '../border';
 import { clock } from '../clock';
 import { byId, make, setAttribute, setText } from '../dom';
-import { type Flight, FlightKind, type FlightPart } from '../faults';
+import type { Flight, FlightPart } from '../messages';
 import type { RecordingSource } from '../source/recording';
 
 const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity

@@ -6,7 +6,7 @@ import { PortSource } from '../source/port';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 
-const patienceMs = 1500; // until a frame is missed
+const patienceMs = 1500; // until a frame is missed; in a recording, up to its end
 
 export class Room {
   private enteredMs = 0;
@@ -19,7 +19,8 @@ export class Room {
   }
 
   draw(source: Source, { state, rows }: Status, newest: Stretch | undefined): void {
-    const never = state === LinkState.NeverSeen && newest === undefined && rows === 0 && performance.now() - this.enteredMs > patienceMs;
+    const isLate = source instanceof RecordingSource ? source.atEnd : performance.now() - this.enteredMs > patienceMs;
+    const never = state === LinkState.NeverSeen && newest === undefined && rows === 0 && isLate;
     const { kind, flags } = newest ?? { kind: Kind.Frame, flags: 0 };
     const line = never ? 'none' : kind !== Kind.Row ? 'frames' : flags & Flag.HasFlags ? 'flagged-rows' : 'rows';
     if (document.body.dataset.line !== line) {

@@ -6,10 +6,10 @@ import type { History } from '../history';
 import { LinkState } from '../line';
 import type { Second } from '../source/second';
 import { type Lane, together } from './curves';
-import { stateNames } from './link';
-import { axesOf, drawBands, keepSize, plotIn, pointedAt, scalesOf, seriesOf, showTime, valuesAt } from './plot';
+import { stateName } from './link';
+import { axesOf, drawBands, keepSize, plotIn, pointedAt, scalesOf, seriesOf, showTime } from './plot';
 import { listOf } from './report';
-import { type Area, trace } from './strokes';
+import { type Area, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
 
 const names = ['A', 'B'];
 const ms = (us: number): string => `${(us / 1000).toFixed(2)} ms`;
@@ -78,7 +78,7 @@ export class SecondView {
   private tell({ comparison, waiting, problem, line }: Second): void {
     const { state, linkQuality } = line.status();
     const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
-    setText(byId('second-link'), problem || `Link: ${stateNames[state as LinkState]}${quality}. ${line.live?.note ?? ''}`.trim());
+    setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${line.live?.note ?? ''}`.trim());
     if (!comparison) {
       setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : waiting);
       return;
@@ -104,6 +104,11 @@ export class SecondView {
     );
   }
 
+  private get strokes(): Strokes {
+    const { envelope } = (this.second as Second).line;
+    return this.lane?.isWhole && envelope ? new EnvelopeStrokes(envelope) : new SampleStrokes(this.history);
+  }
+
   private get history(): History {
     return (this.second as Second).history;
   }
@@ -124,7 +129,7 @@ export class SecondView {
   private read({ curves }: Lane): string {
     const { history } = this;
     const seconds = pointedAt(this.plot);
-    return seconds === undefined || history.end === history.begin ? '' : `B ${valuesAt(history, curves, this.other(seconds))}`;
+    return seconds === undefined || history.end === history.begin ? '' : `B ${this.strokes.textAt(curves, this.other(seconds))}`;
   }
 
   private make({ curves, unit, palette, thickness }: Lane): void {
@@ -133,9 +138,9 @@ export class SecondView {
     this.plot = plotIn(this.root, {
       scales: scalesOf(unit.low, unit.high),
       axes: axesOf(unit, palette),
-      series: seriesOf(curves, palette, thickness, (plot, curve, pen) => trace(this.history, curve, this.area(plot), (this.lane as Lane).longest, pen)),
+      series: seriesOf(curves, palette, thickness, (plot, curve, pen) => this.strokes.trace(curve, this.area(plot), (this.lane as Lane).longest, pen)),
       cursor: { sync: together },
-      hooks: { drawClear: [(plot): void => drawBands(plot, this.history, this.area(plot), (this.lane as Lane).palette)] },
+      hooks: { drawClear: [(plot): void => drawBands(plot, this.strokes, this.area(plot), (this.lane as Lane).palette)] },
     });
   }
 }

@@ -2,9 +2,9 @@
 // Each fault has a height of its own, so that they can be told apart without colours; losses are as high as they are many.
 
 import { clock } from '../clock';
-import type { Bookmark } from '../bookmarks';
-import { binCount, Fault, faultNames, faults, type FaultMap, type Flight, type Span } from '../faults';
+import { binCount, faultNames, faults } from '../faults';
 import { byId, make, setAttribute, setText, svg } from '../dom';
+import { type Bookmark, Fault, type FaultMap, type Flight, type Span } from '../messages';
 import type { RecordingSource } from '../source/recording';
 import { Announcer } from './announcer';
 
@@ -51,6 +51,7 @@ export class Strip {
   only?: Fault; // the kind that is shown, and to which N goes; all without one
   private shown?: FaultMap;
   private shownFlight?: Flight;
+  private shownBookmarks?: readonly Bookmark[];
   private readonly decoded = svg('rect', { class: 'decoded', height: tall });
   private readonly window = svg('rect', { class: 'window', height: tall });
   private readonly bookmarks = svg('path', { class: 'bookmark' });
@@ -85,7 +86,10 @@ export class Strip {
     const place = (us: number): number => Math.min(Math.max((binCount * us) / lengthUs, 0), binCount);
     setAttribute(this.window, 'x', place(from).toFixed(1));
     setAttribute(this.window, 'width', (place(to) - place(from)).toFixed(1));
-    setAttribute(this.bookmarks, 'd', bookmarks.map(({ us }) => `M${place(us).toFixed(2)} 0v${tall}`).join(''));
+    if (bookmarks !== this.shownBookmarks) {
+      this.shownBookmarks = bookmarks;
+      setAttribute(this.bookmarks, 'd', bookmarks.map(({ us }) => `M${place(us).toFixed(2)} 0v${tall}`).join(''));
+    }
     const all = map?.isComplete ? ` of ${this.counted(map)}` : '';
     const kind = this.only === undefined ? 'fault' : `fault "${faultNames[this.only]}"`;
     const text = isLast ? `There is no other ${kind} in this direction.` : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';

@@ -1,5 +1,8 @@
-// How samples become strokes, on the screen and in a picture.
+// How a line becomes strokes, on the screen and in a picture: by its samples, or a whole recording by its envelope.
 
+import { clock, shownSeconds } from '../clock';
+import { Flag } from '../line';
+import type { Envelope } from '../messages';
 import type { History } from '../history';
 import type { Unit } from '../unit';
 
@@ -28,56 +31,190 @@ export interface Area {
   end: number;
 }
 
-// Draws a curve. It breaks where nothing came for longer than `longest`, in s. Samples at one pixel's height are one
-// stroke: 16 curves of 1100 samples each are drawn sixty times a second.
-export function trace(history: History, { column, unit }: Pick<Curve, 'column' | 'unit'>, area: Area, longest: number, pen: Pen): void {
-  const { left, top, width, height, edge, seconds } = area;
-  let [x, y] = [0, 0];
-  let before = -Infinity; // the time of x, y
-  let owed = false; // the stroke to x, y
-  const settle = (): void => {
-    if (owed) {
-      pen.lineTo(x, y);
-      owed = false;
-    }
-  };
-  for (let sample = area.begin; sample < area.end; sample++) {
-    const time = history.time(sample);
-    const value = history.value(sample, column);
-    const nextX = Math.round(left + ((time - edge) / seconds + 1) * width);
-    const nextY = Math.round(top + ((unit.high - value) / (unit.high - unit.low)) * height);
-    if (Number.isNaN(value) || time - before > longest) {
-      settle();
-      if (!Number.isNaN(value)) {
-        pen.moveTo(nextX, nextY);
-      }
-    } else if (nextY !== y) {
-      settle();
-      pen.lineTo(nextX, nextY);
-    } else {
-      owed = true;
-    }
-    [x, y] = [nextX, nextY];
-    before = Number.isNaN(value) ? -Infinity : time;
-  }
-  settle();
+type Paint = (x: number, width: number, failsafe: boolean) => void;
+
+export interface Strokes {
+  // Draws a curve. It breaks where nothing came for longer than `longest`, in s.
+  trace(curve: Pick<Curve, 'column' | 'unit'>, area: Area, longest: number, pen: Pen): void;
+  // Calls `paint` for each stretch in which the receiver was in failsafe, or radio frames were lost: its x and width, in pixels.
+  bands(area: Area, paint: Paint): void;
+  // Returns the least and greatest value of a column; Infinity and -Infinity without any.
+  ends(column: number, area: Pick<Area, 'edge' | 'seconds' | 'begin' | 'end'>): [number, number];
+  // Returns the time and the values at a time, in s; '' without any.
+  textAt(curves: readonly Curve[], seconds: number): string;
 }
 
-// Calls `paint` for each stretch in which the receiver was in failsafe, or radio frames were lost: its x and width, in pixels.
-export function bands(history: History, area: Area, paint: (x: number, width: number, failsafe: boolean) => void): void {
-  const { begin, end } = area;
-  const place = (sample: number): number => area.left + ((history.time(sample) - area.edge) / area.seconds + 1) * area.width;
-  for (let sample = begin; sample < end; ) {
-    const failsafe = history.failsafe(sample);
-    const lost = history.lost(sample);
-    let last = sample;
-    while (last + 1 < end && history.failsafe(last + 1) === failsafe && history.lost(last + 1) === lost) {
-      last++;
+const textOf = ({ unit }: Curve, value: number): string => (Number.isFinite(value) ? unit.text(value) : '–');
+
+export class SampleStrokes implements Strokes {
+  constructor(private readonly history: History) {}
+
+  // Samples at one pixel's height are one stroke: 16 curves of 1100 samples each are drawn sixty times a second.
+  trace({ column, unit }: Pick<Curve, 'column' | 'unit'>, area: Area, longest: number, pen: Pen): void {
+    const { history } = this;
+    const { left, top, width, height, edge, seconds } = area;
+    let [x, y] = [0, 0];
+    let before = -Infinity; // the time of x, y
+    let owed = false; // the stroke to x, y
+    const settle = (): void => {
+      if (owed) {
+        pen.lineTo(x, y);
+        owed = false;
+      }
+    };
+    for (let sample = area.begin; sample < area.end; sample++) {
+      const time = history.time(sample);
+      const value = history.value(sample, column);
+      const nextX = Math.round(left + ((time - edge) / seconds + 1) * width);
+      const nextY = Math.round(top + ((unit.high - value) / (unit.high - unit.low)) * height);
+      if (Number.isNaN(value) || time - before > longest) {
+        settle();
+        if (!Number.isNaN(value)) {
+          pen.moveTo(nextX, nextY);
+        }
+      } else if (nextY !== y) {
+        settle();
+        pen.lineTo(nextX, nextY);
+      } else {
+        owed = true;
+      }
+      [x, y] = [nextX, nextY];
+      before = Number.isNaN(value) ? -Infinity : time;
     }
-    if (failsafe || lost) {
-      const x = place(sample);
-      paint(x, Math.max(place(Math.min(last + 1, end - 1)) - x, 2), failsafe);
+    settle();
+  }
+
+  bands(area: Area, paint: Paint): void {
+    const { history } = this;
+    const { begin, end } = area;
+    const place = (sample: number): number => area.left + ((history.time(sample) - area.edge) / area.seconds + 1) * area.width;
+    for (let sample = begin; sample < end; ) {
+      const failsafe = history.failsafe(sample);
+      const lost = history.lost(sample);
+      let last = sample;
+      while (last + 1 < end && history.failsafe(last + 1) === failsafe && history.lost(last + 1) === lost) {
+        last++;
+      }
+      if (failsafe || lost) {
+        const x = place(sample);
+        paint(x, Math.max(place(Math.min(last + 1, end - 1)) - x, 2), failsafe);
+      }
+      sample = last + 1;
     }
-    sample = last + 1;
+  }
+
+  ends(column: number, { begin, end }: Pick<Area, 'begin' | 'end'>): [number, number] {
+    let [low, high] = [Infinity, -Infinity];
+    for (let sample = begin; sample < end; sample++) {
+      const value = this.history.value(sample, column);
+      low = value < low ? value : low;
+      high = value > high ? value : high;
+    }
+    return [low, high];
+  }
+
+  // Of the sample that is nearest.
+  textAt(curves: readonly Curve[], seconds: number): string {
+    const { history } = this;
+    if (history.end === history.begin) {
+      return '';
+    }
+    const sample = history.nearest(seconds);
+    const values = curves.map((curve) => `${curve.name} ${textOf(curve, history.value(sample, curve.column))}`);
+    return [`${shownSeconds(history.time(sample)).toFixed(3)} s`, ...values].join('   ');
+  }
+}
+
+// Each pixel's column has a stroke from the least to the greatest value.
+export class EnvelopeStrokes implements Strokes {
+  private readonly count: number; // parts
+  private readonly partS: number;
+
+  constructor(private readonly envelope: Envelope) {
+    this.count = envelope.flags.length;
+    this.partS = envelope.partUs / 1e6;
+  }
+
+  // Its length, in s.
+  get seconds(): number {
+    return this.count * this.partS;
+  }
+
+  trace({ column, unit }: Pick<Curve, 'column' | 'unit'>, area: Area, longest: number, pen: Pen): void {
+    const { left, top, width, height, edge, seconds } = area;
+    const y = (value: number): number => Math.round(top + ((unit.high - value) / (unit.high - unit.low)) * height);
+    const [from, to] = this.within(area);
+    let [x, low, high] = [NaN, Infinity, -Infinity];
+    let last = -Infinity; // the newest part with a value
+    let isBroken = true;
+    const settle = (): void => {
+      if (low <= high) {
+        pen[isBroken ? 'moveTo' : 'lineTo'](x, y(low));
+        pen.lineTo(x, y(high));
+        isBroken = false;
+        [low, high] = [Infinity, -Infinity];
+      }
+    };
+    for (let part = from; part < to; part++) {
+      const [least, greatest] = this.endsOf(column, part);
+      if (least > greatest) {
+        continue;
+      }
+      const nextX = Math.round(left + (((part + 0.5) * this.partS - edge) / seconds + 1) * width);
+      const isLate = (part - last - 1) * this.partS > longest;
+      if (nextX !== x || isLate) {
+        settle();
+        isBroken ||= isLate;
+        x = nextX;
+      }
+      low = Math.min(low, least);
+      high = Math.max(high, greatest);
+      last = part;
+    }
+    settle();
+  }
+
+  bands(area: Area, paint: Paint): void {
+    const { flags } = this.envelope;
+    const place = (part: number): number => area.left + ((part * this.partS - area.edge) / area.seconds + 1) * area.width;
+    const [from, to] = this.within(area);
+    for (let part = from; part < to; part++) {
+      const has = flags[part] & (Flag.Failsafe | Flag.LostFrame);
+      if (has) {
+        paint(place(part), Math.max(place(part + 1) - place(part), 2), (has & Flag.Failsafe) !== 0);
+      }
+    }
+  }
+
+  ends(column: number, area: Pick<Area, 'edge' | 'seconds'>): [number, number] {
+    const [from, to] = this.within(area);
+    let [low, high] = [Infinity, -Infinity];
+    for (let part = from; part < to; part++) {
+      const [least, greatest] = this.endsOf(column, part);
+      low = Math.min(low, least);
+      high = Math.max(high, greatest);
+    }
+    return [low, high];
+  }
+
+  textAt(curves: readonly Curve[], seconds: number): string {
+    const part = Math.floor(seconds / this.partS);
+    if (part < 0 || part >= this.count) {
+      return '';
+    }
+    const values = curves.map((curve) => {
+      const [low, high] = this.endsOf(curve.column, part);
+      return `${curve.name} ${textOf(curve, low)}${low < high ? ` to ${textOf(curve, high)}` : ''}`;
+    });
+    return [`${clock(1e6 * part * this.partS, 1)} to ${clock(1e6 * (part + 1) * this.partS, 1)}`, ...values].join('   ');
+  }
+
+  private within({ edge, seconds }: Pick<Area, 'edge' | 'seconds'>): [number, number] {
+    return [Math.max(Math.floor((edge - seconds) / this.partS), 0), Math.min(Math.ceil(edge / this.partS), this.count)];
+  }
+
+  private endsOf(column: number, part: number): [number, number] {
+    const at = column * this.count + part;
+    return [this.envelope.low[at], this.envelope.high[at]];
   }
 }

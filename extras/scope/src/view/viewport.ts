@@ -1,6 +1,8 @@
 // The part of the time that is shown: some seconds up to an edge, which follows the newest or stands still. It knows no page.
 
-const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240]; // s
+import { keptSeconds } from '../history';
+
+const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, keptSeconds]; // s
 const usual = 10; // s
 const least = 0.1; // s: eleven frames
 
@@ -9,15 +11,29 @@ export class Viewport {
   private right?: number; // the edge while it stands still, in s
   private now = 0;
   private oldest = 0;
+  private whole = 0;
 
-  // Call it for each picture: the times of now and of the oldest sample, in s.
-  follow(now: number, oldest: number): void {
+  // Call it for each picture: the times of now and of the oldest sample, in s. `whole`: the length of a recording that can be shown from
+  // end to end; 0 of any other line.
+  follow(now: number, oldest: number, whole = 0): void {
     this.now = now;
     this.oldest = oldest;
+    this.whole = whole;
+    this.seconds = Math.min(this.seconds, this.windows[this.windows.length - 1]);
   }
 
   get edge(): number {
-    return this.right ?? this.now;
+    return this.right ?? (this.isWide ? Math.max(this.now, Math.min(this.seconds, this.whole)) : this.now);
+  }
+
+  // True if it is longer than the samples that are kept.
+  get isWide(): boolean {
+    return this.seconds > keptSeconds;
+  }
+
+  // True if its edge is where no samples are kept.
+  get isAway(): boolean {
+    return this.whole > 0 && this.right !== undefined && (this.right > this.now + 0.001 || this.right < this.oldest);
   }
 
   get begin(): number {
@@ -34,6 +50,7 @@ export class Viewport {
 
   // Zooms to the next of the round widths; the right edge stays. +1 zooms in.
   step(steps: number): void {
+    const { windows } = this;
     const at = steps > 0 ? windows.filter((each) => each < this.seconds).length : windows.findIndex((each) => each > this.seconds);
     const next = steps > 0 ? Math.max(at - 1, 0) : at < 0 ? windows.length - 1 : at;
     this.seconds = windows[next];
@@ -41,10 +58,11 @@ export class Viewport {
 
   // Shows `factor` times as much, and this part of the width (0..1) stays where it is. The edge follows on as long as it can.
   zoom(factor: number, part: number): void {
-    const seconds = Math.min(Math.max(factor * this.seconds, least), windows[windows.length - 1]);
+    const seconds = Math.min(Math.max(factor * this.seconds, least), this.windows[this.windows.length - 1]);
     const right = this.edge + (1 - part) * (seconds - this.seconds);
+    const leavesWhole = this.isWide && factor < 1;
     this.seconds = seconds;
-    if (this.paused || right < this.now) {
+    if (this.paused || right < this.now || leavesWhole) {
       this.hold(right);
     }
   }
@@ -62,7 +80,7 @@ export class Viewport {
 
   // Shows a selected part, in the round width that fits it best.
   show(from: number, to: number): void {
-    this.seconds = windows.find((seconds) => seconds >= to - from) ?? windows[windows.length - 1];
+    this.seconds = this.windows.find((seconds) => seconds >= to - from) ?? this.windows[this.windows.length - 1];
     this.hold(to + (this.seconds - (to - from)) / 2);
   }
 
@@ -79,6 +97,13 @@ export class Viewport {
   }
 
   private hold(right: number): void {
-    this.right = Math.min(Math.max(right, this.oldest + 0.1 * this.seconds), this.now);
+    const first = this.isWide ? this.seconds : (this.whole > 0 ? 0 : this.oldest) + 0.1 * this.seconds;
+    this.right = Math.min(Math.max(right, first), Math.max(this.now, this.whole));
+  }
+
+  private get windows(): number[] {
+    const wider = this.whole > keptSeconds ? [this.whole] : [];
+    for (let seconds = 2 * keptSeconds; seconds < 0.75 * this.whole; seconds *= 2) wider.splice(-1, 0, seconds);
+    return [...windows, ...wider];
   }
 }

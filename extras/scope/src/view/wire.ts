@@ -3,9 +3,9 @@
 import { secondsText, tickText } from '../clock';
 import type uPlot from 'uplot';
 import { byId, setText } from '../dom';
+import type { Wire } from '../messages';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
-import type { Wire } from '../worker/messages';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { axisOf, keepSize, plotIn, pointedAt, scalesOf } from './plot';
@@ -35,14 +35,15 @@ export class WireView {
   private readonly asking = new Throttle(askMs);
 
   constructor() {
-    byId('wire-in').addEventListener('click', () => this.zoom(1 / step, 0.5));
-    byId('wire-out').addEventListener('click', () => this.zoom(step, 0.5));
-    this.root.addEventListener('keydown', (event) => this.key(event));
+    byId('wire-in').addEventListener('click', () => this.step(1));
+    byId('wire-out').addEventListener('click', () => this.step(-1));
     keepSize(this.root, () => this.plot);
     new Gestures(this.root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
       scroll: (part) => this.scroll(part),
       zoom: (factor, part) => this.zoom(factor, part),
+      step: (steps) => this.step(steps),
+      end: () => this.follow(),
       reset: () => this.reset(),
     });
   }
@@ -107,6 +108,10 @@ export class WireView {
     this.fromUs = this.within(this.fromUs);
   }
 
+  private step(steps: number): void {
+    this.zoom(step ** -steps, 0.5);
+  }
+
   private reset(): void {
     this.widthUs = usualUs;
     this.follow();
@@ -116,22 +121,6 @@ export class WireView {
   private follow(): void {
     this.positionUs = this.source?.positionUs ?? 0;
     this.fromUs = this.within(this.positionUs - this.widthUs);
-  }
-
-  private key(event: KeyboardEvent): void {
-    const part = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 }[event.key];
-    if (part !== undefined) {
-      this.scroll(part);
-    } else if (event.key === '+' || event.key === '=' || event.key === '-') {
-      this.zoom(event.key === '-' ? step : 1 / step, 0.5);
-    } else if (event.key === '0') {
-      this.reset();
-    } else if (event.key === 'End') {
-      this.follow();
-    } else {
-      return;
-    }
-    event.preventDefault();
   }
 
   // Returns what is at the pointer, or in the middle.

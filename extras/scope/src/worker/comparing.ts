@@ -1,7 +1,7 @@
 // Compares two live lines while they run.
 
 import { RecordReader, TransferSize } from '../border';
-import type { Comparison } from '../comparison';
+import type { Comparison } from '../messages';
 import type { Native } from '../native';
 import { Throttle } from '../throttle';
 

@@ -8,7 +8,7 @@
 //
 // `choosing` is added by Choice (source/choice.ts): it waits for the user, or for a file.
 
-export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
+import type { State } from '../messages';
 
 interface Listener {
   opened(): void;

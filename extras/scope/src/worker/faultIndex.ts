@@ -1,29 +1,29 @@
-// Collects a recording's faults while it is decoded, in memory that does not grow.
+// Collects a recording's faults while it is decoded.
 
-import { binCount, Fault, faults, isLate, silenceUs, type Found, type Sample, type Span } from '../faults';
+import { type Exports, Gap, type Record } from '../border';
+import { binCount, faults, silenceUs } from '../faults';
 import { Flag, Kind } from '../line';
+import { Fault, type Found, type Span } from '../messages';
 
-export const mostSpans = 1 << 14; // of each fault
-const apartUs = 1000000; // nearer faults are one
+const apartUs = 1000000; // nearer faults are one: there is at most one for each second of a recording
 
 // The spans of one fault, in the order of time.
 class Spans {
-  count = 0;
-  readonly from = new Float64Array(mostSpans); // us
-  readonly to = new Float64Array(mostSpans);
-  private apartUs = apartUs;
+  readonly from: number[] = []; // us
+  readonly to: number[] = [];
+
+  get count(): number {
+    return this.from.length;
+  }
 
   // Adds a span, which begins later than all before.
   add(fromUs: number, toUs: number): void {
     const last = this.count - 1;
-    if (last >= 0 && fromUs - this.to[last] <= this.apartUs) {
+    if (last >= 0 && fromUs - this.to[last] <= apartUs) {
       this.to[last] = Math.max(this.to[last], toUs);
-    } else if (this.count < mostSpans) {
-      this.from[this.count] = fromUs;
-      this.to[this.count++] = toUs;
     } else {
-      this.thin();
-      this.add(fromUs, toUs);
+      this.from.push(fromUs);
+      this.to.push(toUs);
     }
   }
 
@@ -35,18 +35,6 @@ class Spans {
       [low, high] = this.from[middle] <= us ? [middle + 1, high] : [low, middle];
     }
     return low;
-  }
-
-  // Makes room: joins neighbours until half of it is free.
-  private thin(): void {
-    while (this.count > mostSpans / 2) {
-      this.apartUs *= 2;
-      const { count } = this;
-      this.count = 0;
-      for (let i = 0; i < count; i++) {
-        this.add(this.from[i], this.to[i]);
-      }
-    }
   }
 }
 
@@ -60,12 +48,16 @@ export class FaultIndex {
   private newestUs?: number; // of the newest of them; before the first, of the first bytes
   private isRow = false; // the newest of them is a row
 
-  constructor(endUs: number) {
+  // `gapOf`: WebAssembly's.
+  constructor(
+    endUs: number,
+    private readonly gapOf: Exports['gapOf'],
+  ) {
     this.perUs = binCount / Math.max(endUs, 1);
   }
 
   // Takes the next stretch of the line.
-  take({ endUs, kind, flags, lateUs, damagedUs }: Sample): void {
+  take({ endUs, kind, flags, lateUs, damagedUs }: Pick<Record, 'endUs' | 'kind' | 'flags' | 'lateUs' | 'damagedUs'>): void {
     if (damagedUs > 0) {
       this.mark(Fault.Damage, damagedUs, endUs);
     }
@@ -141,12 +133,11 @@ export class FaultIndex {
   private silence(us: number, lateUs: number): boolean {
     const fromUs = this.newestUs ?? us;
     const meanUs = (fromUs - this.firstUs) / (this.count - 1); // not known before the second row
-    const limitUs = silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity);
-    const silent = us - fromUs > limitUs;
-    if (silent) {
-      this.mark(isLate(us - fromUs, lateUs, limitUs) ? Fault.Late : Fault.NoFrames, fromUs, us);
+    const gap: Gap = this.gapOf(fromUs, us, lateUs, silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity));
+    if (gap !== Gap.Ordinary) {
+      this.mark(gap === Gap.Late ? Fault.Late : Fault.NoFrames, fromUs, us);
     }
-    return silent;
+    return gap !== Gap.Ordinary;
   }
 
   // Marks a flag: it lasts from the first frame that has it to the first that does not, or to a silence.

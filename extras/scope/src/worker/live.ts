@@ -2,10 +2,9 @@
 // where a worker has no ports.
 
 import { RecordReader } from '../border';
-import type { Setting } from '../core';
+import type { Answer, Live, LiveState, Opening, Picture, Request, Setting } from '../messages';
 import { imports, Native } from '../native';
 import { Comparing } from './comparing';
-import type { Answer, Live, LiveState, Opening, Picture, Request } from './messages';
 import { type FindPort, PortFeed } from './portFeed';
 import { Trials, type Tried } from './trials';
 

@@ -1,7 +1,8 @@
 // Decodes the history before a place.
 
-import { History, isSample, samplesOf, type Samples } from '../history';
+import { History, isSample, samplesOf } from '../history';
 import type { Stretch } from '../line';
+import type { Samples } from '../messages';
 import type { Decoder } from './decoder';
 
 export class Past {

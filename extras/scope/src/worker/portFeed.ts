@@ -1,11 +1,9 @@
 // A serial port, through Web Serial: an adapter that receives S.Bus itself, or a board that prints numbers.
 
-import type { Setting } from '../core';
+import type { PortPlace, Problem, Setting, State } from '../messages';
 import type { Native } from '../native';
 import { idsOf } from '../source/device';
-import type { Problem } from '../source/Source';
-import { Connection, type State } from './connection';
-import type { PortPlace } from './messages';
+import { Connection } from './connection';
 
 const patienceMs = 3000; // until a port that does not open is a problem: an FTDI adapter takes 60 to 1300 ms
 const bufferSize = 4096; // bytes: more than a second of S.Bus

@@ -33,7 +33,7 @@ export class Search {
         return false;
       }
       decoder.advance(Math.min(decoder.us + this.stepUs, this.endUs), (records) =>
-        decoder.reader.eachSample(records, ({ endUs, flags }) => {
+        decoder.reader.each(records, ({ endUs, flags }) => {
           if (flags & Flag.Event && endUs > this.fromUs) {
             this.found ??= endUs;
           }

@@ -1,13 +1,9 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
-import type { Bookmark } from '../bookmarks';
-import type { Comparison } from '../comparison';
-import type { Flight } from '../faults';
 import { CharacterSize, FileHeadMax } from '../border';
+import type { Bookmark, Comparison, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
-import { bytesOf } from './bytes';
-import type { Wire } from './messages';
-import { directory, unpack, type Entry } from './zip';
+import { bytesOf, directory, unpack, type Entry } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
 const mostCharacters = 64;

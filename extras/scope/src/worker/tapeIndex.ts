@@ -1,8 +1,10 @@
-// A recording's places: the decoder's states, some seconds apart, and the line's faults. It is decoded once, whenever there is time.
+// A recording's places: the decoder's states, some seconds apart, the line's faults, and its values' envelope. It is decoded once, whenever there is time.
 
-import type { FaultMap } from '../faults';
+import { keptSeconds } from '../history';
+import type { Envelope, FaultMap } from '../messages';
 import { Throttle } from '../throttle';
 import type { Decoder, Image } from './decoder';
+import { EnvelopeIndex } from './envelope';
 import { FaultIndex } from './faultIndex';
 
 const progressMs = 100;
@@ -12,6 +14,7 @@ const mostImages = 1024; // of 80 kB each
 export class TapeIndex {
   private readonly images: Image[];
   readonly faults: FaultIndex;
+  private envelope?: EnvelopeIndex; // of a recording that is longer than what the page keeps
   private readonly apart: number;
   private readonly telling = new Throttle(progressMs);
 
@@ -20,10 +23,12 @@ export class TapeIndex {
     size: number,
     readonly endUs: number,
     private readonly tell: (map: FaultMap) => void,
+    private readonly tellEnvelope: (envelope: Envelope) => void,
   ) {
     this.images = [decoder.image()];
     this.apart = Math.max(spacing, size / mostImages);
-    this.faults = new FaultIndex(endUs);
+    this.envelope = endUs > 1e6 * keptSeconds ? new EnvelopeIndex(endUs) : undefined;
+    this.faults = new FaultIndex(endUs, decoder.calls.gapOf);
   }
 
   get us(): number {
@@ -36,8 +41,12 @@ export class TapeIndex {
 
   // Decodes up to the time `hurry`, in ms, or to the end, and tells of the faults.
   work(hurry: number): void {
-    const { decoder, faults } = this;
-    const take = (records: Uint8Array): void => decoder.reader.eachSample(records, (sample) => faults.take(sample));
+    const { decoder, faults, envelope } = this;
+    const take = (records: Uint8Array): void =>
+      decoder.reader.each(records, (record) => {
+        faults.take(record);
+        envelope?.take(record);
+      });
     while (!this.isComplete && performance.now() < hurry) {
       decoder.advance(Math.min(decoder.us + 1000000, this.endUs), take);
       if (decoder.next - (this.images.at(-1) as Image).next >= this.apart) {
@@ -46,6 +55,10 @@ export class TapeIndex {
     }
     if (this.isComplete) {
       faults.finish(this.endUs);
+      if (envelope) {
+        this.tellEnvelope(envelope.finish());
+        this.envelope = undefined;
+      }
     }
     if (this.isComplete || this.telling.due) {
       this.tell({ us: this.us, isComplete: this.isComplete, bins: faults.bins, counts: faults.counts() });

@@ -1,11 +1,9 @@
 // While no frame comes, tries the other settings of a live line's port.
 
-import type { Setting } from '../core';
 import { Finding } from '../border';
 import type { Status } from '../line';
+import type { Problem, Setting, State } from '../messages';
 import type { Native } from '../native';
-import type { Problem } from '../source/Source';
-import type { State } from './connection';
 
 const trialMs = 500; // half a second has 12 frames of the slowest receiver known
 const patienceMs = 1000; // without a frame, until other settings are tried

@@ -1,12 +1,12 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
-import { Fault, type Found, type Sample } from '../faults';
+import type { RecordReader } from '../border';
 import { History } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
+import { type Answer, Fault, type Found, type Live, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
 import { Decoder } from './decoder';
 import { serve } from './live';
-import type { Answer, Live, Picture, Request } from './messages';
 import { Past } from './past';
 import { findPort } from './portFeed';
 import { Search } from './search';
@@ -145,7 +145,7 @@ class Playing {
 
   private newIndex(): TapeIndex {
     const { module, tape, endUs } = this;
-    return new TapeIndex(new Decoder(module, tape), tape.size, endUs, (map) => answer({ kind: 'faults', map }));
+    return new TapeIndex(new Decoder(module, tape), tape.size, endUs, (map) => answer({ kind: 'faults', map }), (envelope) => answer({ kind: 'envelope', envelope }));
   }
 
   // Returns a decoder that is at that time, or a little before it.
@@ -291,7 +291,7 @@ class Playing {
 
   private shows(records: Uint8Array, { fault, fromUs }: Found): boolean {
     let isIn = false;
-    this.player.reader.eachSample(records, (sample) => (isIn ||= sample.endUs >= fromUs && hasFault(sample, fault)));
+    this.player.reader.each(records, (sample) => (isIn ||= sample.endUs >= fromUs && hasFault(sample, fault)));
     return isIn;
   }
 
@@ -318,7 +318,7 @@ function pictureOf({ us, reader }: Decoder, id: number, jumped: boolean, records
 
 const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
 
-function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
+function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
   const isFrame = kind !== Kind.NoFrame;
   switch (fault) {
     case Fault.Failsafe: return isFrame && (flags & Flag.Failsafe) !== 0;
@@ -340,9 +340,9 @@ async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise
       answer({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, note, zeroUs, bookmarks } = tape;
+    const { lengthUs, carrier, note, zeroUs, startUs, bookmarks } = tape;
     playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, carrier, note, zeroUs, bookmarks, picture: playing.picture(0, false, []) });
+    answer({ kind: 'opened', lengthUs, carrier, note, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });

@@ -1,6 +1,4 @@
-// A ZIP: its directory, and an entry's bytes as they come. PKWARE's APPNOTE.TXT, 4.3.
-
-import { bytesOf } from './bytes';
+// Files that are packed: a ZIP's directory, and bytes as they come. PKWARE's APPNOTE.TXT, 4.3.
 
 export interface Entry {
   at: number; // offset of its header
@@ -78,4 +76,16 @@ function crc32(bytes: Uint8Array, before: number): number {
   let crc = ~before;
   for (let i = 0; i < bytes.length; i++) crc = table[(crc ^ bytes[i]) & 0xff] ^ (crc >>> 8);
   return ~crc >>> 0;
+}
+
+// Returns a reader of a file's bytes, unpacked if `packing` is given. `taken` gets how many more bytes of the file were read.
+export function bytesOf(file: Blob, packing: CompressionFormat | undefined, taken: (count: number) => void): ReadableStreamDefaultReader<Uint8Array> {
+  const counting = new TransformStream<Uint8Array, Uint8Array>({
+    transform(part, out): void {
+      taken(part.length);
+      out.enqueue(part);
+    },
+  });
+  const plain = file.stream().pipeThrough(counting);
+  return (packing ? plain.pipeThrough(new DecompressionStream(packing) as TransformStream) : plain).getReader();
 }

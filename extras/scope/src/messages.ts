@@ -1,14 +1,125 @@
-// The messages between the page and what decodes a line for it: mostly a worker.
+// What the page and its worker tell each other. Everything that both know of a line's data is here, so that no other module has to
+// know another for it.
 
-import type { Bookmark } from '../bookmarks';
-import type { Comparison } from '../comparison';
-import type { Setting, Simulation } from '../core';
-import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
-import type { Finding } from '../border';
-import type { Samples } from '../history';
-import type { Status } from '../line';
-import type { Problem } from '../source/Source';
-import type { State } from './connection';
+import type { Finding, Status } from './border';
+
+// How serial lines are set.
+export interface Setting {
+  baud: number;
+  inverted: boolean;
+}
+
+// A simulated receiver.
+export interface Simulation {
+  calibration: boolean;
+  channels: 16 | 24 | 32;
+  noise: number; // disturbances a second
+  line: Setting;
+}
+
+// What is wrong, and what to do.
+export interface Problem {
+  text: string;
+  remedy: string;
+}
+
+// Of a source or a port: worker/connection.ts.
+export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
+
+// A moment of a line that has a name.
+export interface Bookmark {
+  us: number;
+  name: string;
+}
+
+// Frames or rows, the oldest first.
+export interface Samples {
+  times: Float64Array; // s
+  values: Float64Array; // History.columns of each
+  flags: Uint8Array;
+}
+
+// A whole recording, in parts of equal length: what is drawn where frames are closer than pixels.
+export interface Envelope {
+  partUs: number;
+  low: Float32Array; // by History.columns, then by part; Infinity: nothing
+  high: Float32Array; // likewise; -Infinity
+  flags: Uint8Array; // of any frame of a part
+  ends: [number, number]; // of all channels
+}
+
+// Of a recording.
+export enum Fault {
+  Failsafe,
+  NoPulses, // 0 on CH1 to CH4, without a flag
+  LostFrame, // without failsafe
+  Damage,
+  NoFrames,
+  Late, // the PC was late: what the line did is not known
+}
+
+// Where a fault begins and ends; faults in quick succession are one.
+export interface Span {
+  fault: Fault;
+  fromUs: number;
+  toUs: number;
+}
+
+export interface Found extends Span {
+  number: number; // among all faults, from 1 on
+}
+
+// The faults along a recording, as far as it is decoded.
+export interface FaultMap {
+  us: number; // decoded up to here
+  isComplete: boolean;
+  bins: Uint8Array; // 1 << Fault; binCount of them are the whole recording
+  counts: number[]; // of spans, by Fault
+}
+
+// A part of a recording: from and to, in us; the share of its frames that was lost, 0..1; and what there was, a FlightKind.
+export type FlightPart = [number, number, number, number];
+
+// A whole recording, as sbus summary has it: wasm/Flight.cpp.
+export interface Flight {
+  severity: number; // line::FlightVerdict::Severity
+  text: string;
+  fromUs: number;
+  toUs: number;
+  frames: number;
+  lostFrames: number;
+  failsafeFrames: number;
+  missing: number;
+  framesPerSecond: number;
+  discardedBytes: number;
+  characterErrors: number;
+  spans: { count: number; us: number; longest: [number, number][] }[]; // by FlightKind; the longest: from, to, in us
+  worst: FlightPart[]; // seconds, the worst first
+  strip: FlightPart[];
+}
+
+type Pair = [number, number];
+
+// What a comparison of two lines has found: by WebAssembly, as sbus compare has it. Of a pair, the first is of A.
+export interface Comparison {
+  frames: Pair;
+  alone: Pair; // before the other's first frame, or after its last
+  lost: Pair; // by it: only the other has them, or only it has the flag
+  spans: Pair; // in which these are
+  late: Pair; // not compared: the PC was late, or the delay not known yet
+  longest: [fromUs: number, toUs: number, frames: number][][]; // of them, by who lost them
+  same: number; // frames
+  different: number;
+  delays: number; // frames that have told the delay; 0: it is not known
+  medianUs: number; // the delay: how much later B is
+  leastUs: number;
+  mostUs: number;
+  driftPpm: number; // by which the delay grows
+  atZeroUs: number; // the delay at A's time 0
+  laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
+  evidence: string; // of the delay
+  areDelaysLate: boolean; // all of them are of frames that came while the PC was late
+}
 
 type Travel = [number, number] | undefined;
 
@@ -84,7 +195,7 @@ export interface Picture {
   us: number;
   status: Status;
   travel: Travel[]; // by channel
-  telemetry: string[]; // see Line.telemetry()
+  telemetry: string[]; // see Remote.telemetry()
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
   faults: number; // at `us`: bits 1 << Fault
@@ -98,10 +209,11 @@ export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string; remedy?: string }
   | { kind: 'refused' } // the worker does not find the port, or the line beside it
-  | { kind: 'opened'; lengthUs: number; carrier: string; note?: string; zeroUs?: number; bookmarks?: Bookmark[]; picture: Picture } // bookmarks: of a recording as a plain text
+  | { kind: 'opened'; lengthUs: number; carrier: string; note?: string; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture } // bookmarks: of a recording as a plain text
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
+  | { kind: 'envelope'; envelope: Envelope } // once all is decoded, of a long recording
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
   | { kind: 'compared'; id: number; comparison?: Comparison } // none: they have no frame in common
   | { kind: 'report'; html: string }
