@@ -1,23 +1,18 @@
-// Prints the output of `sbus decode`: a table to read, CSV for a spreadsheet, or JSON lines for a program.
+// Prints the table of `sbus decode`.
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "cli/Json.h"
 #include "line/Observer.h"
 #include "line/file/CaptureFile.h"
 
 namespace tool {
 
-enum class Form { Table, Csv, Json };
-
 class DecodeOutput {
  public:
   // Shows each character if `characters` is true; otherwise frames, and the discarded bytes.
-  DecodeOutput(Form form, bool characters, std::string source, const ChannelForm &channels)
-      : _form(form), _showsCharacters(characters), _source(std::move(source)), _channelForm(channels) {}
+  explicit DecodeOutput(bool characters) : _showsCharacters(characters) {}
 
   // Takes the wire, once it has been found.
   void begin(const line::WireDecoder &wire);
@@ -31,30 +26,20 @@ class DecodeOutput {
   // Returns how long a character takes, once the wire is found.
   int64_t characterNs() const { return _characterNs; }
 
-  // Returns how many frames were left out of the CSV, since it has no columns for their channels.
-  unsigned long leftOut() const { return _leftOut; }
-
   void end(const std::string &name, const line::CaptureEnd &capture, const line::Observer &observer) const;
 
  private:
   int64_t endNs(const line::WireCharacter &character) const { return character.startNs + _characterNs; }
   void frame(const line::Stretch &stretch, int64_t endNs, const line::Values &values);
-  void csvHead();
-  void csvRow(const line::Stretch &stretch, int64_t endNs, const line::Values &values);
   void noFrame(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters);
   // Returns "parity error, the parity bit is 1 on the wire, 0 is expected".
   std::string fault(const line::WireCharacter &character) const;
 
-  const Form _form;
   const bool _showsCharacters;
-  const std::string _source;
-  const ChannelForm _channelForm;
   bool _isMeasured = true;  // the capture holds the wire, not characters decoded by an analyser
   bool _inverted = true;
   int64_t _characterNs = 0;
-  size_t _columns = 0;         // of the newest frame in the table: a change starts a new heading
-  unsigned _channels = 16;     // in the rows of CSV
-  unsigned long _leftOut = 0;  // frames with other channels
+  size_t _columns = 0;  // of the newest frame: a change starts a new heading
   unsigned long _characters = 0;
   unsigned long _parityErrors = 0;
   unsigned long _framingErrors = 0;

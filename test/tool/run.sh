@@ -307,7 +307,7 @@ verdict $? "--help-all lists subcommands and options"
 # An option is listed under its subcommand, or under SOURCE if the subcommand takes one.
 sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
   /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || / A B$/); print "has", section }
-  /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
+  /^\.(BR?|OP) -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
 while read -r subcommand option; do
   case $subcommand in -*) line=".SH OPTIONS $subcommand" ;; *) line="${option:+$subcommand }${option:-has $subcommand}" ;; esac
