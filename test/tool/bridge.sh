@@ -158,7 +158,7 @@ master, slave = pty.openpty()
 tty.setraw(slave)
 out, far = pty.openpty()
 tty.setraw(far)
-bridge = subprocess.Popen([sys.argv[1], "bridge", os.ttyname(slave), os.ttyname(far), "--latency"], stderr=subprocess.PIPE, text=True)
+bridge = subprocess.Popen([sys.argv[1], "bridge", os.ttyname(slave), os.ttyname(far)], stderr=subprocess.PIPE, text=True)
 while "forwarding its frames" not in bridge.stderr.readline():
     pass
 def frame(raw):
@@ -196,7 +196,7 @@ END
 got=$(wire 1)
 set -- $got
 [ "$1" -ge 90 ] && [ "$2" = True ] || { echo "$got"; cat "$work/err"; false; }
-verdict $? "frames from a port are forwarded: $(grep '^last byte' "$work/err")"
+verdict $? "frames from a port are forwarded: $1 of 100"
 got=$(wire 4)
 set -- $got
 [ "$1" -ge 25 ] && [ "$1" -le 60 ] && [ "$2" = True ] && grep -qE '[0-9]+ frames sent, [1-9][0-9]* replaced by newer ones before their turn$' "$work/err" || { echo "$got"; cat "$work/err"; false; }

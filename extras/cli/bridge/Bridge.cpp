@@ -60,9 +60,6 @@ void Bridge::run() {
   }
   _output.finish();
   std::fprintf(stderr, "%s\n", _output.summary().c_str());
-  if (_options.latency) {
-    std::fprintf(stderr, "%s\n", first.latency.text("frame").c_str());
-  }
   flush();
   if (_output.isGone()) {
     throw std::runtime_error(_to + ": no program reads it any longer; start the reader, then this again");
@@ -76,35 +73,30 @@ void Bridge::run() {
 
 Input::Taker Bridge::taker(size_t i) {
   Receiver &receiver = *_receivers[i];
-  return {[&receiver](const line::Character &character) {
-            receiver.latency.read();
-            receiver.observer.put(character);
-          },
+  return {[&receiver](const line::Character &character) { receiver.observer.put(character); },
           [this, &receiver](uint64_t nowUs) { tick(receiver, nowUs); }};
 }
 
 void Bridge::take(size_t i, const line::Stretch &stretch) {
   Receiver &receiver = *_receivers[i];
   const line::Character &last = stretch.characters.back();
-  bool isSent = false;
-  if (stretch.isFrame()) {
-    const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
-    receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
-    if (isFresh && stretch.kind != Kind::Extra) {
-      _choice.put(i, last.endUs, receiver.observer.newest());
-    }
-    if (i == chosen(last.endUs)) {
-      _end = last.value;
-      isSent = send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
-    }
+  if (!stretch.isFrame()) {
+    return;
   }
-  receiver.latency.passed(stretch.characters.size(), isSent && _options.latency);
+  const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
+  receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
+  if (isFresh && stretch.kind != Kind::Extra) {
+    _choice.put(i, last.endUs, receiver.observer.newest());
+  }
+  if (i == chosen(last.endUs)) {
+    _end = last.value;
+    send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
+  }
 }
 
 void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
   receiver.observer.idleUntil(receiver.input->knownUs());
   receiver.silence.tick(nowUs, receiver.observer.counters().frames > 0);
-  receiver.latency.tick();
   const bool waits = _output.tick();
   if (_output.isGone()) {
     for (Receiver *const each : _receivers) {
@@ -158,8 +150,8 @@ bool Bridge::fill(uint64_t nowUs) {
 }
 
 // Sends the newest values of the chosen receiver; `last` is the frame's last character, and a frame with header 2F has
-// its own `flags`. Returns true if nothing delayed them.
-bool Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
+// its own `flags`.
+void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   const uint64_t nowUs = last.endUs;
   Receiver &receiver = *_receivers[_chosen];
   const bool isFresh = nowUs <= receiver.freshUs + line::SilenceUs && !isBroken();
@@ -173,7 +165,9 @@ bool Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   }
   _options.rules.apply(frame.values.raw.data());
   _sentUs = nowUs;
-  return _options.failsafe.apply(state, kind == Kind::Extra, frame.values) && _output.put(frame);
+  if (_options.failsafe.apply(state, kind == Kind::Extra, frame.values)) {
+    _output.put(frame);
+  }
 }
 
 }  // namespace tool

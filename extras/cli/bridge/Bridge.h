@@ -7,7 +7,6 @@
 #include <string>
 
 #include "cli/Input.h"
-#include "cli/Latency.h"
 #include "cli/SilenceNote.h"
 #include "cli/bridge/ChannelRules.h"
 #include "cli/bridge/FailsafeOption.h"
@@ -29,7 +28,6 @@ struct BridgeOptions {
   FailsafeOption failsafe;
   TrainerOption trainer;
   double backS = 1;
-  bool latency = false;
   bool keepsEnd = true;  // the end byte; otherwise 00
 };
 
@@ -40,7 +38,6 @@ struct Receiver {
   const std::unique_ptr<Input> input;
   SilenceNote silence;
   line::Observer observer;
-  Latency latency;
   uint64_t freshUs = 0;  // the end of the newest frame that may leave
 };
 
@@ -65,7 +62,7 @@ class Bridge {
   bool haveEnded() const;
   bool isBroken() const;
   bool fill(uint64_t nowUs);
-  bool send(line::Stretch::Kind kind, const line::Character &last, uint8_t flags);
+  void send(line::Stretch::Kind kind, const line::Character &last, uint8_t flags);
 
   BridgeOptions &_options;
   Receiver *const _receivers[2];

@@ -68,8 +68,6 @@ void addBridge(CLI::App &app) {
       subcommand.option("--back", options->bridge.backS, "how long the first must have its link before it is used again (1)")
           .between(0, 60)
           .type("S");
-  subcommand.flag("--latency", options->bridge.latency,
-                  "print at the end the time from reading a frame's last byte to writing the frame");
   subcommand.footer(
       "Only accepted frames are sent, each at once, with their flags; the end byte is 00, and telemetry is left out. "
       "No frame older than 0.1 s is sent: while no fresh ones come, bridge sends the newest values every 9 ms with the "
