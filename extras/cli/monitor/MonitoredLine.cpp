@@ -131,9 +131,7 @@ MonitorView MonitoredLine::view(uint64_t nowUs) {
     view.bannerMood = view.old ? Mood::Bad : Mood::Warn;
   }
   view.plain = view.quality;
-  std::vector<MonitorView::Group> groups = view.groups;
-  groups.push_back(view.sensors);
-  for (const MonitorView::Group &group : groups) {
+  for (const MonitorView::Group &group : view.groups) {
     for (const std::string &fact : group.facts) {
       view.plain += (view.plain.empty() ? "" : ", ") + fact;
     }
@@ -201,7 +199,7 @@ void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
   view.quality = line::format("quality %u %%", _observer.linkQuality(nowUs));
   view.groups = groups(nowUs, seen);
   if (_observer.telemetry().count() > 0) {
-    view.sensors = telemetry(nowUs);
+    view.groups.insert(view.groups.end() - 1, telemetry(nowUs));
   }
 }
 
