@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "cli/Output.h"
-#include "cli/options/PortNames.h"
+#include "cli/subcommands/Subcommands.h"
 #include "line/system/System.h"
 
 namespace tool {

@@ -12,7 +12,7 @@
 #include "cli/Output.h"
 #include "cli/PendingSlots.h"
 #include "cli/SilenceNote.h"
-#include "cli/options/ChannelFormOption.h"
+#include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Format.h"
@@ -275,8 +275,18 @@ void addHex(CLI::App &app) {
       "Each line has the time at which its last byte ended, in seconds, or - if unknown; the bytes, with ! after "
       "each with a wrong parity or stop bit; frame, frame24 (24 channels), extra (header 2F) or - for no frame; and "
       "the end byte or the reason.");
-  const auto form = std::make_shared<ChannelFormOption>(subcommand);
-  subcommand.run([source, options, form] { run(*source, *options, form->form(options->json)); });
+  const auto unit = std::make_shared<std::string>("raw");
+  const Option unitOption = subcommand.option("--unit", *unit, "the unit of the channels in JSON lines (raw)")
+                                .oneOf({"raw", "us", "percent"})
+                                .type("raw|us|percent");
+  const auto range = std::make_shared<RangeOption>(subcommand);
+  subcommand.run([source, options, unit, unitOption, range] {
+    if (unitOption.given() && !options->json) {
+      rejectCommandLine("--unit: is for JSON lines; add --json, or leave it out");
+    }
+    run(*source, *options,
+        {*unit == "us" ? line::Unit::Us : *unit == "percent" ? line::Unit::Percent : line::Unit::Raw, range->range()});
+  });
 }
 
 }  // namespace tool

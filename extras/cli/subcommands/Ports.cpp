@@ -126,6 +126,18 @@ void run(bool asJson) {
 
 }  // namespace
 
+std::vector<std::string> portNames() {
+  std::vector<std::string> names;
+  sp_port **ports = nullptr;
+  if (sp_list_ports(&ports) == SP_OK) {
+    for (size_t i = 0; ports[i] != nullptr; i++) {
+      names.push_back(sp_get_port_name(ports[i]));
+    }
+    sp_free_port_list(ports);
+  }
+  return names;
+}
+
 void addPorts(CLI::App &app) {
   Subcommand subcommand(app, "ports", "lists the serial ports, and what is known about each");
   const auto asJson = std::make_shared<bool>(false);
