@@ -113,7 +113,7 @@ void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
 
 // With --trainer, always chooses the teacher's receiver.
 size_t Bridge::chosen(uint64_t nowUs) {
-  const size_t chosen = _options.trainer.given() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
+  const size_t chosen = _options.rules.hasTrainer() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
   if (chosen != _chosen) {
     std::fprintf(stderr, "%.3f s: %s %s\n", static_cast<double>(nowUs) / 1e6,
                  _receivers[chosen]->source.name().c_str(), chosen == 0 ? "has its link back" : "takes over");
@@ -160,12 +160,12 @@ void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
                      kind == Kind::Extra ? line::withFlags(newest, flags) : newest,
                      _options.keepsEnd ? _end : uint8_t{0}, last.sinceUs, last.lateUs};
-  if (_options.trainer.given() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
-    _options.trainer.apply(frame.values, _receivers[1]->observer.newest());
+  if (_options.rules.hasTrainer() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
+    _options.rules.train(frame.values, _receivers[1]->observer.newest());
   }
   _options.rules.apply(frame.values.raw.data());
   _sentUs = nowUs;
-  if (_options.failsafe.apply(state, kind == Kind::Extra, frame.values)) {
+  if (_options.rules.applyFailsafe(state, kind == Kind::Extra, frame.values)) {
     _output.put(frame);
   }
 }

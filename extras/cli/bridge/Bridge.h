@@ -8,10 +8,8 @@
 
 #include "cli/Input.h"
 #include "cli/SilenceNote.h"
-#include "cli/bridge/ChannelRules.h"
-#include "cli/bridge/FailsafeOption.h"
 #include "cli/bridge/FrameOutput.h"
-#include "cli/bridge/TrainerOption.h"
+#include "cli/bridge/FrameRules.h"
 #include "cli/bridge/TwoReceivers.h"
 #include "cli/options/SourceOption.h"
 #include "line/Observer.h"
@@ -21,12 +19,9 @@ namespace tool {
 // What happens to the frames.
 struct BridgeOptions {
   BridgeOptions() = default;  // nothing: they keep their bytes
-  explicit BridgeOptions(Subcommand &subcommand)
-      : rules(subcommand), failsafe(subcommand), trainer(subcommand), keepsEnd(false) {}
+  explicit BridgeOptions(Subcommand &subcommand) : rules(subcommand), keepsEnd(false) {}
 
-  ChannelRules rules;
-  FailsafeOption failsafe;
-  TrainerOption trainer;
+  FrameRules rules;
   double backS = 1;
   bool keepsEnd = true;  // the end byte; otherwise 00
 };

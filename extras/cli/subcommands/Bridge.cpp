@@ -29,14 +29,13 @@ void run(Options &options) {
   const sbus::Range range = options.range.range();
   options.source.setRange(range);
   options.bridge.rules.read(range);
-  options.bridge.failsafe.read(range);
-  options.bridge.trainer.read(range);
-  if (options.bridge.trainer.given() && options.second.empty()) {
+  if (options.bridge.rules.hasTrainer() && options.second.empty()) {
     rejectCommandLine("--trainer: --second is the pupil's receiver; name it");
   }
-  if (options.back.given() && (options.bridge.trainer.given() || options.second.empty())) {
-    rejectCommandLine(options.bridge.trainer.given() ? "--back: the teacher's receiver is always used; leave it out"
-                                              : "--back: --second is the other receiver; name it");
+  if (options.back.given() && (options.bridge.rules.hasTrainer() || options.second.empty())) {
+    rejectCommandLine(options.bridge.rules.hasTrainer()
+                          ? "--back: the teacher's receiver is always used; leave it out"
+                          : "--back: --second is the other receiver; name it");
   }
   std::optional<SourceOption> second;
   if (!options.second.empty()) {
