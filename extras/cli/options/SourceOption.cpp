@@ -16,6 +16,7 @@
 #include "line/recording/CsvRows.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RestoredLine.h"
+#include "line/recording/WallTime.h"
 #include "line/recording/Words.h"
 #include "line/simulation/NoisyLine.h"
 #include "line/system/System.h"
@@ -81,15 +82,12 @@ void SourceOption::addRows(Subcommand &subcommand) {
   _given.asRows = subcommand.flag("--rows", "the port carries a sketch's rows, at 115200 baud");
 }
 
-SourceOption::SourceOption(const SourceOption &first, const std::string &word) : _given(first._given), _word(word) {
+SourceOption::SourceOption(const SourceOption &first, const std::string &word, const Option &given,
+                           const std::string &signal)
+    : _given(first._given), _word(word) {
   if (word == first._word && Pipe::isPipe(word)) {
     rejectCommandLine(word + ": cannot be read twice; name another source");
   }
-}
-
-SourceOption::SourceOption(const SourceOption &first, const std::string &word, const Option &given,
-                           const std::string &signal)
-    : SourceOption(first, word) {
   if (given.given()) {
     _given.signal = given;
     _given.overrides.signal = signal;
@@ -206,14 +204,6 @@ line::LineSettings SourceOption::lineSettings() const {
   return settings;
 }
 
-bool SourceOption::isFile() const {
-  return parsed().kind == Kind::File;
-}
-
-bool SourceOption::isStream() const {
-  return parsed().kind == Kind::Stream;
-}
-
 // A pipe whose frames say when they were read is live, however many come at once: old ones may be the rest of a line
 // that has stopped.
 bool SourceOption::isLive() const {
@@ -223,10 +213,6 @@ bool SourceOption::isLive() const {
            (!_isAtOnce || file().isRead);
   }
   return kind == Kind::Port || (kind == Kind::Stream && !_isAtOnce && !_given.simulatedTime.given());
-}
-
-bool SourceOption::hasFrames() const {
-  return !_given.asRows.given() && !(isStream() && _pipe->hasRows());
 }
 
 void SourceOption::rejectEmpty() const {
@@ -250,33 +236,24 @@ bool SourceOption::isWire() const {
                             : kind == Kind::Simulated || kind == Kind::Values;
 }
 
-bool SourceOption::hasTimes() const {
-  return isFile() ? file().hasTimes : !isStream();
-}
-
-int64_t SourceOption::zeroUs() const {
-  return isFile() ? file().zeroUs : 0;
-}
-
 std::optional<double> SourceOption::shownUs(uint64_t us) const {
   return hasTimes() ? std::optional<double>(static_cast<double>(static_cast<int64_t>(us) + zeroUs())) : std::nullopt;
 }
 
-std::optional<int64_t> SourceOption::startUs() const {
-  return isFile() ? file().startUs : _startUs;
-}
-
 Json SourceOption::json() const {
-  JsonLine line;
-  line.source = name();
-  line.signal = isFile() ? file().signal : "";
-  line.baud = settings().baud;
-  if (isWire()) {
-    line.inverted = !lineSettings().idleHigh();
+  Json json("line");
+  json.number("format", uint64_t{1}).text("source", name());
+  if (isFile() && !file().signal.empty()) {
+    json.text("signal", file().signal);
   }
-  line.startUs = startUs();
-  line.isTimed = hasTimes();
-  return lineJson(line);
+  json.number("baud", settings().baud);
+  if (isWire()) {
+    json.flag("inverted", !lineSettings().idleHigh());
+  }
+  if (startUs()) {
+    json.text("start", line::wallTime(*startUs()));
+  }
+  return hasTimes() ? json : json.flag("timed", false);
 }
 
 const FileSource &SourceOption::file() const {
