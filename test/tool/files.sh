@@ -74,11 +74,6 @@ written() {
 }
 # RealTerm's window wraps lines; its capture does not.
 printf '%s %s' "$frame" "$frame" | fold -w 48 | written realterm.txt
-printf '%s\r\n%s\r\n' "$frame" "$frame" | written lines.txt
-printf '%s%s' "$frame" "$frame" | tr -d ' ' | written no-blanks.txt
-printf '# of a forum\n\n{0x%s, 0x%s};\n' "$frame" "$frame" | sed 's/ \([0-9A-F][0-9A-F]\)/, 0x\1/g' | written array.txt
-printf '%s,%s' "$frame" "$frame" | tr ' ' , | tr '[:upper:]' '[:lower:]' | written commas.txt
-printf '%s %s\n' "$frame" "$frame" | sed 's/ 0\([0-9A-F]\)/ \1/g; s/^0//' | written arduino.txt
 for name in bytes.bin dump.RAW; do
   # shellcheck disable=SC2059  # the frame has no %
   printf "$octal$octal" | written $name

@@ -291,7 +291,12 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-for part in wire hex files kinds captures counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
+for table in captures dumps; do
+  rm -rf "$work/$table"
+  mkdir "$work/$table"
+  python3 "tool/$table.py" "$sbus" "$work/$table"
+done
+for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
 done
