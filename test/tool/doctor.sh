@@ -146,21 +146,14 @@ verdict $? "doctor says that a port does not exist"
 # ---- A port with another protocol: its packets at their own pace
 
 cat >"$work/other.py" <<'END'
-import os, pty, subprocess, sys, threading, time, tty
-master, slave = pty.openpty()
-tty.setraw(slave)
-packet = bytes.fromhex(sys.argv[2])
-running = True
-def write():
-    while running:
-        os.write(master, packet)
-        time.sleep(0.007)
-writer = threading.Thread(target=write)
-writer.start()
-program = subprocess.run([sys.argv[1], "doctor", os.ttyname(slave)], capture_output=True, text=True)
-running = False
-writer.join()
-print(program.returncode, *program.stdout.split("\n")[-4:-2])
+import subprocess, sys, time
+from ports import Port
+port = Port()
+program = subprocess.Popen([sys.argv[1], "doctor", port.name], stdout=subprocess.PIPE, text=True)
+while program.poll() is None:
+    port.write(bytes.fromhex(sys.argv[2]))
+    time.sleep(0.007)
+print(program.returncode, *program.stdout.read().split("\n")[-4:-2])
 END
 while IFS='|' read -r packet wanted; do
   got=$(timeout 60 python3 "$work/other.py" "$SBUS" "$packet" 2>&1)

@@ -100,20 +100,16 @@ verdict $? "a sketch's last row without a line end is not shown, and not recorde
 
 live() {  # WHAT STAGES: from a pseudo-terminal, through STAGES, to csv
   python3 - "$SBUS" "$2" <<'END' >"$work/out" 2>"$work/err"
-import os, pty, select, subprocess, sys, time, tty
+import os, select, subprocess, sys, time
+from ports import Port, frame
 sbus, stages = sys.argv[1:]
-master, slave = pty.openpty()
-tty.setraw(slave)
-name = os.ttyname(slave)
-line = subprocess.Popen(["sh", "-c", stages.replace("PORT", name)], stdout=subprocess.PIPE, env=dict(os.environ, SBUS=sbus))
-def frame(raw):
-    bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
-    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+port = Port()
+line = subprocess.Popen(["sh", "-c", stages.replace("PORT", port.name)], stdout=subprocess.PIPE, env=dict(os.environ, SBUS=sbus))
 # Sends a frame. Returns true once it has passed, and false if it has not done so in time.
 def passes(raw, seconds):
     global text
     end = time.monotonic() + seconds
-    os.write(master, frame(raw))
+    port.write(frame(raw))
     while b"\n%d\n" % raw not in text:
         if not select.select([line.stdout], [], [], max(0, end - time.monotonic()))[0]:
             return False

@@ -101,20 +101,17 @@ verdict $? "the event is --before after the file's date"
 pieces() {
   rm -rf "$work/dir"
   python3 - "$SBUS" "$work/dir" "$@" >"$work/out" 2>"$work/err" <<'END'
-import os, pty, subprocess, sys, time, tty
-master, slave = pty.openpty()
-tty.setraw(slave)
+import subprocess, sys, time
+from ports import Port, frame
+port = Port()
 sbus, folder, count = sys.argv[1:4]
-watch = subprocess.Popen([sbus, "watch", os.ttyname(slave), "-o", folder] + sys.argv[4:])
+watch = subprocess.Popen([sbus, "watch", port.name, "-o", folder] + sys.argv[4:])
 time.sleep(1)
-def frame(n):
-    bits = sum(value << 11 * i for i, value in enumerate([n, 2000 if n // 10 % 4 == 3 else 0] + [992] * 14))
-    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
-line = b"".join(frame(n) for n in range(1, int(count) + 1))
+line = b"".join(frame(n, 2000 if n // 10 % 4 == 3 else 0) for n in range(1, int(count) + 1))
 start = time.monotonic()
 for at in range(0, len(line), 44):  # every 16 ms, whatever a frame's end is
     time.sleep(max(0, start + at / 44 * 0.016 - time.monotonic()))
-    os.write(master, line[at:at + 44])
+    port.write(line[at:at + 44])
 time.sleep(0.2)
 watch.send_signal(2)
 watch.wait()
