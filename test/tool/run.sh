@@ -91,7 +91,7 @@ verdict $? "a full standard output is reported and is a failure"
 verdict $? "help also fails if standard output is full"
 "$sbus" record sim -o "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
 verdict $? "if standard error is closed, no message gets into the recording"
-"$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
+"$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; run sbus doctor sim" "$work/err" &&
   "$sbus" hex sim:silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
 verdict $? "a silent source is reported after two seconds"
 # In real time: lines are written one by one, and the second finds the reader gone.

@@ -123,7 +123,7 @@ done <<'END'
 |SOURCE is required
 -|sbus send: -: is empty: bytes of a line are expected
 no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
-x.csv ch1=5|ch1=5 is one argument too many; only values such as ch3=172 ch5=on may be several
+x.csv ch1=5|ch1=5 is unexpected; only values such as ch3=172 ch5=on may be several
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do

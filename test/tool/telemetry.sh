@@ -37,11 +37,11 @@ verdict $? "telemetry prints no quantity for a slot without a name"
 
 grep -v '^#' recordings/paper.txt >"$work/paper.txt"
 "$SBUS" telemetry "$work/paper.txt" >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: frames came, and none announced a telemetry slot: this is not an S.BUS2 line" "$work/err"
+[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: no frame announces a telemetry slot: this is not an S.BUS2 line" "$work/err"
 verdict $? "telemetry fails on a line without telemetry"
 sed '/^[0-9]* \(03\|83\|43\|1B\|9B\|5B\)/d' "$work/line.txt" >"$work/silent.txt"
 "$SBUS" telemetry "$work/silent.txt" >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/silent.txt: frames came, and no slot after them: is the receiver in a mode with telemetry?" "$work/err"
+[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/silent.txt: no telemetry slot follows the frames: is the receiver in a mode with telemetry?" "$work/err"
 verdict $? "telemetry fails on an S.BUS2 line without answers"
 
 while IFS='|' read -r sensor words; do

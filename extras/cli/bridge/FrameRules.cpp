@@ -36,7 +36,7 @@ size_t newChannel(Scanner &scanner, const std::vector<Rule> &rules, const char *
 
 FrameRules::FrameRules(Subcommand &subcommand) {
   _trainerOption =
-      subcommand.option("--trainer", _trainer, "while this channel is on, CH1 to CH4, or these, come from --second");
+      subcommand.option("--trainer", _trainer, "while this channel is on, take CH1 to CH4, or these, from --second");
   _trainerOption.type("CH[=CH,...]");
   subcommand.option("--map", _map, "the channels of SOURCE that become CH1, CH2 ...; -3: reversed").type("CH,CH,...");
   subcommand

@@ -65,7 +65,7 @@ SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows,
   subcommand.option("--baud", _given.baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
-  subcommand.option("--seconds", _given.seconds, "end after this many seconds").seconds().type("S");
+  subcommand.option("--seconds", _given.seconds, "stop after S seconds").seconds().type("S");
   _given.signal =
       subcommand.option("--signal", _given.overrides.signal, "the signal of a capture (the one with the most frames)")
           .notEmpty()
@@ -112,7 +112,7 @@ SourceOption::Parsed SourceOption::parse() const {
     return parseValues();
   }
   if (_words.size() > 1) {
-    rejectCommandLine(_words[1] + " is one argument too many; only values such as ch3=172 ch5=on may be several");
+    rejectCommandLine(_words[1] + " is unexpected; only values such as ch3=172 ch5=on may be several");
   }
   Parsed parsed;
   try {

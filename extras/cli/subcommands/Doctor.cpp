@@ -111,7 +111,7 @@ struct Verdict {
 std::optional<Verdict> verdictOnSource(const SourceOption &source,
                                        const std::vector<std::unique_ptr<SettingTrial>> &heard) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
-    return Verdict{false, "Rows of CSV: they come from a sketch; this is not S.Bus.",
+    return Verdict{false, "Rows of CSV: a sketch prints them; this is not S.Bus.",
                    "sbus monitor shows them: at 115200 baud with --rows. For S.Bus name the receiver's port."};
   }
   if (!source.isFile() || source.file().damage.empty()) {
@@ -137,7 +137,7 @@ Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, bool isEx
                          (3 * ms + 49) / 50 * 50)};
   }
   if (well && best.isInterrupted()) {
-    return {false, "Interruptions: frames come, but now and then the line is silent.",
+    return {false, "Interruptions: frames come, but the line is idle now and then.",
             "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary "
             "lists the times."};
   }

@@ -265,7 +265,7 @@ void addHex(CLI::App &app) {
   subcommand.flag("--json", options->json, "JSON lines: the frames, and the discarded bytes")
       .excludes(values)
       .excludes(delta);
-  subcommand.option("--width", options->width, "break lines at this many columns (the terminal's; no breaks elsewhere)")
+  subcommand.option("--width", options->width, "wrap lines at N columns (the terminal's; no breaks elsewhere)")
       .between(LeastWidth, 1000)
       .type("N");
   subcommand.option("--color", options->colour, "auto: colours on a terminal (auto)")

@@ -140,7 +140,7 @@ void addSend(CLI::App &app) {
       .between(1, 1000)
       .type("MS");
   options->speedOption =
-      subcommand.option("--speed", options->speed, "send this many times as fast (1)").between(0.001, 1000).type("N");
+      subcommand.option("--speed", options->speed, "playback speed (1)").between(0.001, 1000).type("N");
   subcommand.footer(
       "Of a live line only frames are sent, and none older than 0.1 s: failsafe frames take their place. "
       "Values: ch1 to ch16 are raw, 0 to 2047, microseconds (1500us), percent (-50%), on (the high end) or off; "
