@@ -54,8 +54,8 @@ class SettingTrial {
   // a busy PC do not count as silence.
   bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
 
-  // Returns the frame period in ms if intact frames come so far apart that the link is stale in between, always or
-  // after a missing frame, with sbus::Link's default timeout; otherwise 0.
+  // Returns the frame period in ms if the link is stale between two intact frames, or after a missing one, with
+  // sbus::Link's default timeout; otherwise 0.
   unsigned longPeriodMs() const;
 
   // Returns a line that explains why this source's times are not exact; empty if they are.

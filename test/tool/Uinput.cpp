@@ -1,5 +1,5 @@
-// A stand-in for libevdev's uinput devices, for a machine without /dev/uinput: LD_PRELOAD it. It drops the same events as
-// Linux 6.1; the comments name the lines of drivers/input/input.c.
+// A stand-in for libevdev's uinput devices, for a machine without /dev/uinput: LD_PRELOAD it. It drops the same events
+// as Linux 6.1; the comments name the lines of drivers/input/input.c.
 //
 //   UINPUT_LOG     what a program that reads the event device would see, a report a line: "ABS_X=12 BTN_EAST=1"; the
 //                  device with its axes when it is created and when it is destroyed; events that the kernel ignores
@@ -95,8 +95,8 @@ int libevdev_uinput_write_event(const libevdev_uinput *constDevice, unsigned typ
   return 0;
 }
 
-// Nothing can be read from a device that is gone, not even waiting events: drivers/input/evdev.c, evdev_read(); joydev.c,
-// joydev_read(), is the same.
+// Nothing can be read from a device that is gone, not even waiting events: drivers/input/evdev.c, evdev_read(); so for
+// joydev.c, joydev_read().
 void libevdev_uinput_destroy(libevdev_uinput *device) {
   if (std::chrono::steady_clock::now() - device->reportTime < ReadEvery) {
     log("unread: the newest report");

@@ -202,7 +202,7 @@ void addDecode(CLI::App &app) {
   subcommand.footer(
       "Decode finds the signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold, "
       "unless options name them. Times are the capture's: the end of a frame's last byte, or the first edge of a "
-      "character. It exits with 1 if there is no frame. hex --json and csv of a capture print its frames for programs.");
+      "character. It exits with 1 if there is no frame. For programs, hex --json and csv print a capture's frames.");
   subcommand.run([options] {
     options->overrides.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted

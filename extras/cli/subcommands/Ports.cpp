@@ -47,7 +47,8 @@ std::string textOf(const char *text) {
 // What the system tells about a port.
 struct Port {
   explicit Port(sp_port *port) : device(sp_get_port_name(port)), description(textOf(sp_get_port_description(port))) {
-    isUsb = sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK;
+    isUsb =
+        sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK;
     serial = isUsb ? textOf(sp_get_port_usb_serial(port)) : "";
   }
 
@@ -97,8 +98,9 @@ std::string describe(const Port &port) {
   const bool isName = port.device.find(port.description) != std::string::npos;
   std::string text = port.device + (isName ? "" : "  " + port.description) + "\n";
   if (port.isUsb) {
-    addLine(text, line::format("USB %04x:%04x", static_cast<unsigned>(port.vendor), static_cast<unsigned>(port.product)) +
-                      (port.serial.empty() ? "" : ", serial number " + port.serial));
+    const std::string serial = port.serial.empty() ? "" : ", serial number " + port.serial;
+    addLine(text, line::format("USB %04x:%04x%s", static_cast<unsigned>(port.vendor),
+                               static_cast<unsigned>(port.product), serial.c_str()));
   }
   addLine(text, port.known());
   addLine(text, latencyText(port.device));

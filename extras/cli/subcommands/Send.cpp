@@ -135,7 +135,8 @@ void run(Options &options) {
 void addSend(CLI::App &app) {
   Subcommand subcommand(app, "send", "sends a recording, the built-in receiver, or values such as ch3=172");
   const auto options = std::make_shared<Options>(subcommand);
-  subcommand.option("--port", options->to, "a serial port; without it, a pseudo-terminal (prints its name)").type("DEVICE");
+  subcommand.option("--port", options->to, "a serial port; without it, a pseudo-terminal (prints its name)")
+      .type("DEVICE");
   subcommand.option("--period", options->periodMs, "the frame period of values and slow rows, in ms (9)")
       .between(1, 1000)
       .type("MS");
