@@ -46,7 +46,7 @@ void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
           _lastUs = character.endUs;
         }
         heardUntil(character.endUs, character.lateUs);
-        _isLate = _isLate || character.lateUs > 0;
+        _lateUs = std::max(_lateUs, character.lateUs);
         _observer.put(character);
         _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
       },
@@ -188,22 +188,25 @@ std::vector<uint64_t> SettingTrial::periods() const {
 unsigned SettingTrial::longPeriodMs() const {
   constexpr uint64_t StaleUs = sbus::Link::DefaultTimeout * uint64_t{1000};
   const std::vector<uint64_t> periods = this->periods();
-  if (_isLate || periods.size() < 2 || sbus::impairedFrames(counters()) > 0 ||
+  if (periods.size() < 2 || sbus::impairedFrames(counters()) > 0 ||
       _observer.discardedBytes() > counters().frames) {
     return 0;
   }
   const uint64_t us = median(periods);
-  const auto usual = std::count_if(periods.begin(), periods.end(),
-                                   [us](uint64_t each) { return each > us * 9 / 10 && each < us * 11 / 10; });
+  const uint64_t nearUs = us / 10 + _lateUs;
+  const auto usual = std::count_if(periods.begin(), periods.end(), [us, nearUs](uint64_t each) {
+    return each + nearUs >= us && each <= us + nearUs;
+  });
   const bool isStale = *std::max_element(periods.begin(), periods.end()) >= StaleUs;
   const bool isLong = isStale && us >= StaleUs / 2 && static_cast<size_t>(usual) * 2 > periods.size();
-  return isLong ? static_cast<unsigned>(us / 1000) : 0;
+  const uint64_t sumUs = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
+  return isLong ? static_cast<unsigned>((usualPeriodUs(periods, sumUs) + 500) / 1000) : 0;
 }
 
 // Returns the median, which an impaired frame does not change; the mean if the port delivers bytes in bursts, so that
 // no single period is exact.
 uint64_t SettingTrial::usualPeriodUs(const std::vector<uint64_t> &periods, uint64_t us) const {
-  return _isLate ? us / periods.size() : median(periods);
+  return _lateUs > 0 ? us / periods.size() : median(periods);
 }
 
 std::string SettingTrial::frames() const {

@@ -89,7 +89,7 @@ class SettingTrial {
   bool _isCsv = false;
   uint64_t _lastUs = 0;  // the newest character's end
   uint64_t _endUs = 0;   // the end of listening
-  bool _isLate = false;  // the port delivers bytes late
+  uint32_t _lateUs = 0;  // how late the port delivers bytes, at most
   std::string _note;
 };
 

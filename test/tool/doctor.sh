@@ -143,7 +143,7 @@ rm -r "$folder"
 "$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'
 verdict $? "doctor says that a port does not exist"
 
-# ---- A port with another protocol: its packets at their own pace
+# ---- A port with another protocol, or with frames that come seldom
 
 cat >"$work/other.py" <<'END'
 import subprocess, sys, time
@@ -152,14 +152,15 @@ port = Port()
 program = subprocess.Popen([sys.argv[1], "doctor", port.name], stdout=subprocess.PIPE, text=True)
 while program.poll() is None:
     port.write(bytes.fromhex(sys.argv[2]))
-    time.sleep(0.007)
-print(program.returncode, *program.stdout.read().split("\n")[-4:-2])
+    time.sleep(float(sys.argv[3]))
+print(program.returncode, *program.stdout.read().split("\n")[-5:-2])
 END
-while IFS='|' read -r packet wanted; do
-  got=$(timeout 60 python3 "$work/other.py" "$SBUS" "$packet" 2>&1)
+while IFS='|' read -r packet seconds wanted; do
+  got=$(timeout 60 python3 "$work/other.py" "$SBUS" "$packet" "$seconds" 2>&1)
   case $got in "1 "*"$wanted"*) true ;; *) echo "$got"; false ;; esac
   verdict $? "doctor of a port with other packets: $got"
 done <<'END'
-20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3|Not S.Bus: the receiver sends i-BUS, FlySky's protocol.
-C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41|Not S.Bus: the receiver sends CRSF
+20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3|0.007|Not S.Bus: the receiver sends i-BUS, FlySky's protocol.
+C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41|0.007|Not S.Bus: the receiver sends CRSF
+0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00|0.13|Long period: a frame comes every 1
 END
