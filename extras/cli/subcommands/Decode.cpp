@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/DecodeOutput.h"
+#include "cli/DecodeTable.h"
 #include "cli/FileSource.h"
 #include "cli/Output.h"
 #include "cli/PendingSlots.h"
@@ -37,7 +37,7 @@ struct Options {
 class Frames {
  public:
   // `record` receives the text of a recording; without it the frames go to `output`.
-  Frames(DecodeOutput &output, Put record) : _output(output), _record(std::move(record)) {
+  Frames(DecodeTable &output, Put record) : _output(output), _record(std::move(record)) {
     _observer.listen([this](const line::Stretch &stretch) { _held.take(stretch); });
   }
 
@@ -80,7 +80,7 @@ class Frames {
     }
   }
 
-  DecodeOutput &_output;
+  DecodeTable &_output;
   const Put _record;
   line::RecordingWriter _writer;
   line::Observer _observer;
@@ -105,7 +105,7 @@ void decode(const Options &options, const Put &record) {
       throw std::runtime_error(options.capture + ": " + other);
     }
   }
-  DecodeOutput output(options.characters);
+  DecodeTable output(options.characters);
   std::optional<int64_t> firstUs;  // of all characters
   int64_t lastUs = 0;
   bool any = false;  // in the part
