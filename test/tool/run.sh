@@ -299,6 +299,7 @@ done
 for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
+  [ $? -lt 126 ] || verdict 1 "tool/$part.sh can be run"
 done
 
 # ---- Help and the manual
