@@ -12,6 +12,18 @@ namespace tool {
 
 namespace {
 
+// Prints to standard error which signal was chosen, if others carry S.Bus as well.
+void reportSignal(const std::string &name, const line::WireDecoder &wire) {
+  if (!wire.others().empty()) {
+    std::string others;
+    for (const std::string &other : wire.others()) {
+      others += (others.empty() ? "" : ", ") + other;
+    }
+    std::fprintf(stderr, "%s: this is signal %s; S.Bus is also on %s: --signal NAME chooses\n", name.c_str(),
+                 wire.signal().c_str(), others.c_str());
+  }
+}
+
 void readCapture(FileSource &file, const FileName &name, const line::Overrides &overrides) {
   line::RecordedCapture capture(overrides, false);
   const std::string failure =
@@ -27,17 +39,6 @@ void readCapture(FileSource &file, const FileName &name, const line::Overrides &
 }
 
 }  // namespace
-
-void reportSignal(const std::string &name, const line::WireDecoder &wire) {
-  if (!wire.others().empty()) {
-    std::string others;
-    for (const std::string &other : wire.others()) {
-      others += (others.empty() ? "" : ", ") + other;
-    }
-    std::fprintf(stderr, "%s: this is signal %s; S.Bus is also on %s: --signal NAME chooses\n", name.c_str(),
-                 wire.signal().c_str(), others.c_str());
-  }
-}
 
 FileSource readHead(const FileName &name, unsigned long baud) {
   line::PackedFile file(name.path, name.shown);

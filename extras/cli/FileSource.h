@@ -21,9 +21,6 @@ struct FileName {
   std::string shown;
 };
 
-// Prints to standard error which signal was chosen, if others carry S.Bus as well.
-void reportSignal(const std::string &name, const line::WireDecoder &wire);
-
 struct FileSource : line::FileHead {
   std::string path;           // of a text and of bytes, which are read while they are played
   std::string signal;         // a capture's

@@ -69,7 +69,7 @@ std::string GameController::name() const {
 }
 
 // The kernel drops reports without a change (drivers/input/input.c, input_event_dispose()).
-bool GameController::write(const State &state) {
+void GameController::write(const State &state) {
   bool changed = false;
   for (size_t i = 0; i < Axes; i++) {
     if (state.axes[i] != _state.axes[i]) {
@@ -87,7 +87,6 @@ bool GameController::write(const State &state) {
     send(EV_SYN, SYN_REPORT, 0);
   }
   _state = state;
-  return changed;
 }
 
 void GameController::send(unsigned type, unsigned code, int value) {
@@ -112,8 +111,7 @@ std::string GameController::name() const {
   return {};
 }
 
-bool GameController::write(const State &) {
-  return false;
+void GameController::write(const State &) {
 }
 
 void GameController::send(unsigned, unsigned, int) {

@@ -27,8 +27,8 @@ class GameController {
   // Returns the file that programs open, such as /dev/input/event7.
   std::string name() const;
 
-  // Writes the changes as one report. Returns false if there are none. Throws std::runtime_error.
-  bool write(const State &state);
+  // Writes the changes as one report. Throws std::runtime_error.
+  void write(const State &state);
 
  private:
   void send(unsigned type, unsigned code, int value);

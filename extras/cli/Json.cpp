@@ -4,7 +4,6 @@
 
 #include "line/Format.h"
 #include "line/FrameBytes.h"
-#include "line/recording/WallTime.h"
 
 namespace tool {
 
@@ -64,24 +63,6 @@ Json &Json::channels(const line::Values &values, size_t first, size_t count, con
     all.push_back(std::round(10 * line::valueOf(values.raw[i], form.unit, form.range)) / 10);
   }
   return number("first", first).numbers(line::fieldOf(form.unit), all);
-}
-
-Json lineJson(const JsonLine &line) {
-  Json json("line");
-  json.number("format", uint64_t{1}).text("source", line.source);
-  if (!line.signal.empty()) {
-    json.text("signal", line.signal);
-  }
-  if (line.baud) {
-    json.number("baud", uint64_t{*line.baud});
-  }
-  if (line.inverted) {
-    json.flag("inverted", *line.inverted);
-  }
-  if (line.startUs) {
-    json.text("start", line::wallTime(*line.startUs));
-  }
-  return line.isTimed ? json : json.flag("timed", false);
 }
 
 Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,

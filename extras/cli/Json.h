@@ -49,17 +49,6 @@ class Json {
   std::string _text;
 };
 
-// What the first line says about the source.
-struct JsonLine {
-  std::string source;
-  std::string signal;  // a capture's; otherwise empty
-  std::optional<unsigned long> baud;
-  std::optional<bool> inverted;
-  std::optional<int64_t> startUs;  // time 0 in us since 1970
-  bool isTimed = true;             // the times are the line's
-};
-Json lineJson(const JsonLine &line);
-
 // Return the lines for a frame, for bytes outside a frame, and for a telemetry slot. `endUs`: the end of the last
 // character; without it the time is null.
 Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,

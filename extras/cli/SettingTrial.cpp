@@ -9,7 +9,21 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t SilenceUs = 100000;  // between characters: longer than any frame period
+constexpr uint64_t SilenceUs = 100000;  // between characters
+
+uint64_t median(std::vector<uint64_t> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Returns the times from each frame to the next.
+std::vector<uint64_t> intervals(const std::vector<uint64_t> &ends) {
+  std::vector<uint64_t> all(ends.size());
+  std::adjacent_difference(ends.begin(), ends.end(), all.begin());
+  all.erase(all.begin(), all.begin() + (all.empty() ? 0 : 1));
+  return all;
+}
 
 const char *polarityName(line::Polarity polarity) {
   return polarity == line::Polarity::Inverted     ? "inverted"
@@ -32,14 +46,14 @@ void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
           _lastUs = character.endUs;
         }
         heardUntil(character.endUs, character.lateUs);
-        _isLate = _isLate || character.lateUs > 0;
+        _lateUs = std::max(_lateUs, character.lateUs);
         _observer.put(character);
         _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
       },
       [&](uint64_t nowUs) {
         _observer.idleUntil(input.knownUs());
         _endUs = us == ToItsEnd ? _lastUs + gapUs() : nowUs;
-        if (nowUs >= (hasFrames() ? framesUs : us)) {
+        if (nowUs >= us && (nowUs >= framesUs || !hasFrames())) {
           input.end();
         }
       });
@@ -93,6 +107,7 @@ std::string SettingTrial::figures(bool hasTimes) const {
   if (!hasTimes) {
     return _variant.text() + ": times are not known" + lost + "\n";
   }
+  const uint64_t silent = silentUs(&Silence::us);
   const std::vector<uint64_t> periods = this->periods();
   const uint64_t us = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
   const auto aSecond = [us](uint64_t count) { return std::to_string((count * 1000000 + us / 2) / us); };
@@ -101,7 +116,7 @@ std::string SettingTrial::figures(bool hasTimes) const {
                                          aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
                                          std::to_string(usualPeriodUs(periods, us)) + " us";
   return _variant.text() + ": " + rate + lost +
-         (_silentUs == 0 ? "" : line::format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
+         (silent == 0 ? "" : line::format("; silent for %.2f s", static_cast<double>(silent) / 1e6)) + "\n";
 }
 
 std::string SettingTrial::telemetry() const {
@@ -130,37 +145,68 @@ void SettingTrial::take(const line::Stretch &stretch) {
   }
 }
 
-// Notes a silence if it was long from the last character to `us`, where the next one ends or listening stops. The next
-// one may have ended up to `lateUs` earlier.
+// Notes a silence from the last character to `us`, where the next one ends or listening stops. The next one may have
+// ended up to `lateUs` earlier.
 void SettingTrial::heardUntil(uint64_t us, uint64_t lateUs) {
   if (us >= _lastUs + SilenceUs) {
-    _silences.push_back(_lastUs);
-    _silentUs += us - _lastUs;
-  }
-  if (_observer.characters() > 0 && us >= _lastUs + lateUs + SilenceUs) {
-    _provedSilentUs += us - lateUs - _lastUs;
+    const bool isProved = _observer.characters() > 0 && us >= _lastUs + lateUs + SilenceUs;
+    _silences.push_back({_lastUs, us - _lastUs, isProved ? us - lateUs - _lastUs : 0});
   }
   _lastUs = us;
+}
+
+// Returns how long no character comes in a silence: a missing frame is none.
+uint64_t SettingTrial::silenceUs() const {
+  constexpr uint64_t PeriodMostUs = 500000;  // what comes more seldom is no line of frames
+  const uint64_t us = _ends.size() < 3 ? 0 : median(intervals(_ends));
+  return std::max(SilenceUs, us > PeriodMostUs ? 0 : us * 5 / 2);
+}
+
+uint64_t SettingTrial::silentUs(uint64_t Silence::*us) const {
+  const uint64_t least = silenceUs();
+  return std::accumulate(_silences.begin(), _silences.end(), uint64_t{0}, [&](uint64_t sum, const Silence &each) {
+    return sum + (each.us >= least ? each.*us : 0);
+  });
 }
 
 // Returns the frame periods without those interrupted by a silence, which may last for hours.
 std::vector<uint64_t> SettingTrial::periods() const {
   std::vector<uint64_t> periods;
+  const uint64_t least = silenceUs();
+  auto silence = _silences.begin();
   for (size_t i = 1; i < _ends.size(); i++) {
-    const auto silence = std::lower_bound(_silences.begin(), _silences.end(), _ends[i - 1]);
-    if (silence == _silences.end() || *silence >= _ends[i]) {
+    silence = std::find_if(silence, _silences.end(), [&](const Silence &each) {
+      return each.beginUs >= _ends[i - 1] && each.us >= least;
+    });
+    if (silence == _silences.end() || silence->beginUs >= _ends[i]) {
       periods.push_back(_ends[i] - _ends[i - 1]);
     }
   }
   return periods;
 }
 
+unsigned SettingTrial::longPeriodMs() const {
+  constexpr uint64_t StaleUs = sbus::Link::DefaultTimeout * uint64_t{1000};
+  const std::vector<uint64_t> periods = this->periods();
+  if (periods.size() < 2 || sbus::impairedFrames(counters()) > 0 ||
+      _observer.discardedBytes() > counters().frames) {
+    return 0;
+  }
+  const uint64_t us = median(periods);
+  const uint64_t nearUs = us / 10 + _lateUs;
+  const auto usual = std::count_if(periods.begin(), periods.end(), [us, nearUs](uint64_t each) {
+    return each + nearUs >= us && each <= us + nearUs;
+  });
+  const bool isStale = *std::max_element(periods.begin(), periods.end()) >= StaleUs;
+  const bool isLong = isStale && us >= StaleUs / 2 && static_cast<size_t>(usual) * 2 > periods.size();
+  const uint64_t sumUs = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
+  return isLong ? static_cast<unsigned>((usualPeriodUs(periods, sumUs) + 500) / 1000) : 0;
+}
+
 // Returns the median, which an impaired frame does not change; the mean if the port delivers bytes in bursts, so that
 // no single period is exact.
-uint64_t SettingTrial::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
-  const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
-  std::nth_element(periods.begin(), middle, periods.end());
-  return _isLate ? us / periods.size() : *middle;
+uint64_t SettingTrial::usualPeriodUs(const std::vector<uint64_t> &periods, uint64_t us) const {
+  return _lateUs > 0 ? us / periods.size() : median(periods);
 }
 
 std::string SettingTrial::frames() const {

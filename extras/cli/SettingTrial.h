@@ -27,7 +27,9 @@ class SettingTrial {
   void listen(Input &input, uint64_t us, uint64_t framesUs);
 
   bool isCsv() const { return _isCsv; }
-  bool hasFrames() const { return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms; }
+  bool hasFrames() const {
+    return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms || longPeriodMs() > 0;
+  }
   sbus::Trial trial() const { return _examination.trial(_observer, _settings, _endUs); }
 
   // Returns "S.BUS", "S.BUS2" ...; empty without frames.
@@ -48,18 +50,30 @@ class SettingTrial {
   // Returns true if more groups of telemetry slots were rejected than read.
   bool rejectsTelemetry() const { return _observer.telemetry().rejectedGroups() > _observer.telemetry().groups(); }
 
-  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s or more. Late reads by a busy PC do not
-  // count as silence.
-  bool isInterrupted() const { return _provedSilentUs >= 500000; }
+  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and of 2.5 periods or more. Late reads by
+  // a busy PC do not count as silence.
+  bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
+
+  // Returns the frame period in ms if the link is stale between two intact frames, or after a missing one, with
+  // sbus::Link's default timeout; otherwise 0.
+  unsigned longPeriodMs() const;
 
   // Returns a line that explains why this source's times are not exact; empty if they are.
   std::string note() const { return _note.empty() ? "" : _note + "\n"; }
 
  private:
+  struct Silence {
+    uint64_t beginUs;
+    uint64_t us;
+    uint64_t provedUs;  // without what a late read may hide
+  };
+
   void take(const line::Stretch &stretch);
   void heardUntil(uint64_t us, uint64_t lateUs = 0);
+  uint64_t silenceUs() const;
+  uint64_t silentUs(uint64_t Silence::*us) const;
   std::vector<uint64_t> periods() const;
-  uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const;
+  uint64_t usualPeriodUs(const std::vector<uint64_t> &periods, uint64_t us) const;
   uint64_t gapUs() const;
   std::string frames() const;
   sbus::Counters counters() const { return _observer.counters(); }
@@ -69,15 +83,13 @@ class SettingTrial {
   line::Examination _examination;
   line::DetectedVariant _variant;
   line::Readings _readings;
-  std::vector<uint64_t> _ends;      // of the frames, in us
-  std::vector<uint64_t> _silences;  // their beginnings, in us
-  uint64_t _silentUs = 0;
-  uint64_t _provedSilentUs = 0;
+  std::vector<uint64_t> _ends;  // of the frames, in us
+  std::vector<Silence> _silences;
   line::CsvRows _rows;
   bool _isCsv = false;
   uint64_t _lastUs = 0;  // the newest character's end
   uint64_t _endUs = 0;   // the end of listening
-  bool _isLate = false;  // the port delivers bytes late
+  uint32_t _lateUs = 0;  // how late the port delivers bytes, at most
   std::string _note;
 };
 

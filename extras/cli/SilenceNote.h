@@ -20,7 +20,7 @@ class SilenceNote {
     _beginUs = std::min(_beginUs, nowUs);
     const bool isLong = nowUs - _beginUs >= AfterUs;
     if (!has && !_done && isLong) {
-      std::fprintf(stderr, "%s: no %s yet; sbus doctor %s says why\n", _source.c_str(), _what, _source.c_str());
+      std::fprintf(stderr, "%s: no %s yet; run sbus doctor %s\n", _source.c_str(), _what, _source.c_str());
     }
     _done = _done || has || isLong;
   }
@@ -28,7 +28,7 @@ class SilenceNote {
   // Takes the end of the source. Throws std::runtime_error without `has`.
   void end(bool has) const {
     if (!has) {
-      throw std::runtime_error(_source + ": no " + _what + " came; sbus doctor says why");
+      throw std::runtime_error(_source + ": no " + _what + " received; run sbus doctor");
     }
   }
 

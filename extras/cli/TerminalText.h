@@ -1,20 +1,49 @@
 // UTF-8 texts, measured in terminal columns.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 namespace tool {
 
-int widthOf(const std::string &text);
+// A byte of UTF-8 that begins a character.
+inline bool begins(char c) {
+  return (c & 0xC0) != 0x80;
+}
+
+inline int widthOf(const std::string &text) {
+  return static_cast<int>(std::count_if(text.begin(), text.end(), begins));
+}
 
 // Returns as much of the text as fits.
-std::string cut(const std::string &text, int width);
-
-// Cuts after a title or a sentence: "Failsafe: the receiver works, but has lost the link." becomes "Failsafe".
-std::string cutAtPhrase(const std::string &text, int width);
+inline std::string cut(const std::string &text, int width) {
+  int columns = 0;
+  size_t at = 0;
+  while (at < text.size() && (columns < width || !begins(text[at]))) {
+    columns += begins(text[at++]);
+  }
+  return text.substr(0, at);
+}
 
 // Return the text cut or padded to exactly `width` columns. padded() adds blanks on the right, right() on the left.
-std::string padded(const std::string &text, int width);
-std::string right(const std::string &text, int width);
+inline std::string padded(const std::string &text, int width) {
+  const int missing = width - widthOf(text);
+  return missing > 0 ? text + std::string(static_cast<size_t>(missing), ' ') : cut(text, width);
+}
+
+inline std::string right(const std::string &text, int width) {
+  const int missing = width - widthOf(text);
+  return missing > 0 ? std::string(static_cast<size_t>(missing), ' ') + text : cut(text, width);
+}
+
+// Cuts after a title or a sentence: "Failsafe: the receiver works, but has lost the link." becomes "Failsafe".
+inline std::string cutAtPhrase(const std::string &text, int width) {
+  if (widthOf(text) <= width) {
+    return text;
+  }
+  const std::string start = cut(text, width);
+  const size_t end = std::max(start.rfind(": ") + 1, start.rfind(". ") + 1);  // npos + 1 is 0
+  return end > 0 ? start.substr(0, end - 1) : start;
+}
 
 }  // namespace tool

@@ -135,6 +135,15 @@ def frames_in(lines):
     return [(each["time_us"], each["channels"]) for each in map(json.loads, filter(None, lines.splitlines())) if each["type"] == "frame"]
 
 
+def frames_of(how, file, *options):
+    """What decode prints as a table, and hex as JSON lines."""
+    out, err = run(how, file, *options, *(["--json"] if how == "hex" else []))
+    if how == "hex":
+        return frames_in(out), err
+    rows = [line.split() for line in out.splitlines() if line.startswith("  ") and line.split()[1].isdigit()]
+    return [(float(row[0]) * 1000, list(map(int, row[1:17]))) for row in rows], err
+
+
 def channels(raw):
     bits = int.from_bytes(raw[1:23], "little")
     return [bits >> 11 * i & 2047 for i in range(16)]
@@ -145,8 +154,7 @@ def check(name, file, capture):
     wanted = [channels(each) for each in capture.frames]
     found, wrong = {}, []
     for how in "decode", "hex":
-        out, err = run(how, file, "--json")
-        got = frames_in(out)
+        got, err = frames_of(how, file)
         found[how] = sum(values in wanted for _, values in got)
         if [values for _, values in got] != wanted or any(abs(us - end) > 3 for (us, _), end in zip(got, capture.ends())):
             wrong.append(f"{how}: {[round(us) for us, _ in got]} for {capture.ends()} us: {err.strip()[:100]}")
@@ -174,8 +182,8 @@ def check(name, file, capture):
     # --from and --to are of the capture's time, also below 0.
     first = capture.ends()[0]
     for how in "decode", "hex":
-        out, err = run(how, file, "--json", f"--from={first / 1e6 - 0.0031}", f"--to={first / 1e6 + 0.0001}")
-        if [values for _, values in frames_in(out)] != wanted[:1]:
+        got, err = frames_of(how, file, f"--from={first / 1e6 - 0.0031}", f"--to={first / 1e6 + 0.0001}")
+        if [values for _, values in got] != wanted[:1]:
             wrong.append(f"{how} --from: {err.strip()[:150]}")
     return found, wrong
 

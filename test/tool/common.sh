@@ -4,6 +4,7 @@
 work=$WORK/$(basename "$0" .sh)
 rm -rf "$work"
 mkdir -p "$work"
+export PYTHONPATH="$PWD/tool" PYTHONDONTWRITEBYTECODE=1
 
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi

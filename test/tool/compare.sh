@@ -181,21 +181,15 @@ verdict $? "compare prints a text"
 # ---- Two ports at once
 
 cat >"$work/live.py" <<'END'
-import json, os, pty, subprocess, sys, time, tty
-ports = []
-for _ in range(2):
-    master, slave = pty.openpty()
-    tty.setraw(slave)
-    ports.append((master, slave, os.ttyname(slave)))
-program = subprocess.Popen([sys.argv[1], "compare", ports[0][2], ports[1][2], "--json"], stdout=subprocess.PIPE, text=True)
+import json, subprocess, sys, time
+from ports import Port, frame
+a, b = Port(), Port()
+program = subprocess.Popen([sys.argv[1], "compare", a.name, b.name, "--json"], stdout=subprocess.PIPE, text=True)
 time.sleep(0.7)
-def frame(i):
-    bits = sum((i * 37 % 2000 if k == 0 else i if k == 1 else 992) << 11 * k for k in range(16))
-    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
 for i in range(400):
-    os.write(ports[0][0], frame(i))
+    a.write(frame(i * 37 % 2000, i))
     if not 200 <= i < 210:
-        os.write(ports[1][0], frame(i))
+        b.write(frame(i * 37 % 2000, i))
     time.sleep(0.009)
 time.sleep(0.3)
 program.send_signal(2)
@@ -214,19 +208,18 @@ verdict $? "two ports at once: $same identical frames, $by_b lost by B, delay $d
 
 python3 - "$work/late-a.txt" "$work/late-b.txt" <<'END'
 import sys
+from ports import frame
 def write(name, later_us, lost, late):
     with open(name, "w") as file:
         for i in range(3000):
             end = 9000 * (i + 1) + later_us + 2880
             if i in lost:
                 continue
-            bits = sum((i * 37 % 2000 if k == 0 else i % 2000 if k == 1 else 992) << 11 * k for k in range(16))
-            data = bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
             stamp = "%d" % (end - 2880)
             for begin, stop in late:
                 if begin <= end < stop:
                     stamp = "%d~%d" % (stop - ((stop - end) // 9000 + 2) * 3000, stop - begin)
-            file.write(stamp + " " + data.hex(" ") + "\n")
+            file.write(stamp + " " + frame(i * 37 % 2000, i % 2000).hex(" ") + "\n")
 stalls = [(3000000, 3300000), (9000000, 9120000), (15000000, 17000000)]
 write(sys.argv[1], 0, range(2000, 2010), stalls[1:])
 write(sys.argv[2], 1500, range(2500, 2520), stalls)

@@ -47,6 +47,29 @@ while IFS='|' read -r finding well figures by arguments; do
   asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$work,")
 done <"$work/lines"
 
+# Intact frames that come seldom; a header 0F that noise has turned into 2F, twice, but not in a row.
+# flight PERIOD_MS MISSING FLIPPED: 100 frames, of which each MISSING-th is missing; FLIPPED and one 29 before are changed
+flight() {
+  awk -v ms="$1" -v missing="$2" -v flipped="${3:-0}" 'BEGIN {
+    for (i = 1; i <= 100; i++) if (!missing || i % missing) print 1000 * ms * i, (i == flipped || i == flipped - 29 ? "2F" : "0F"), "E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00"
+  }' >"$work/flight.txt"
+}
+while IFS='|' read -r period missing status finding remedy figures; do
+  flight "$period" "$missing"
+  asked "$status" "$finding" "$figures" "$work/flight.txt"
+  grep -qxF "$remedy" "$work/doctor.out"
+  verdict $? "doctor of frames $period ms apart, one in $missing missing, says: $remedy"
+done <<'END'
+80|0|0|All well.|Nothing to do.|S.BUS: 13 frames a second and 0 damaged, frame interval 80000 us
+80|20|1|Long period: a frame comes every 80 ms, and a missing one makes the link stale.|Call setTimeout(250) in the sketch, or set the receiver to a shorter period.|S.BUS: 12 frames a second and 0 damaged, frame interval 80000 us; 0 % with the lost-frame flag$
+100|0|1|Long period: a frame comes every 100 ms, and the link is stale in between.|Call setTimeout(300) in the sketch, or set the receiver to a shorter period.|S.BUS: 10 frames a second
+120|15|1|Long period: a frame comes every 120 ms, and the link is stale in between.|Call setTimeout(400) in the sketch, or set the receiver to a shorter period.|S.BUS: 8 frames a second and 0 damaged, frame interval 120000 us
+9|0|0|All well.|Nothing to do.|S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us
+END
+flight 20 0 49  # just before the line of 1 s
+"$SBUS" monitor "$work/flight.txt" --simulated-time >"$work/monitor" && [ "$(grep -cE '^[12]\.000  ok( +[0-9]+){16}   quality' "$work/monitor")" -eq 2 ] || { cat "$work/monitor"; false; }
+verdict $? "monitor shows 16 channels after a header 2F that does not come again soon"
+
 player send sim
 asked_live 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
 kill $player
@@ -120,30 +143,24 @@ rm -r "$folder"
 "$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'
 verdict $? "doctor says that a port does not exist"
 
-# ---- A port with another protocol: its packets at their own pace
+# ---- A port with another protocol, or with frames that come seldom
 
 cat >"$work/other.py" <<'END'
-import os, pty, subprocess, sys, threading, time, tty
-master, slave = pty.openpty()
-tty.setraw(slave)
-packet = bytes.fromhex(sys.argv[2])
-running = True
-def write():
-    while running:
-        os.write(master, packet)
-        time.sleep(0.007)
-writer = threading.Thread(target=write)
-writer.start()
-program = subprocess.run([sys.argv[1], "doctor", os.ttyname(slave)], capture_output=True, text=True)
-running = False
-writer.join()
-print(program.returncode, *program.stdout.split("\n")[-4:-2])
+import subprocess, sys, time
+from ports import Port
+port = Port()
+program = subprocess.Popen([sys.argv[1], "doctor", port.name], stdout=subprocess.PIPE, text=True)
+while program.poll() is None:
+    port.write(bytes.fromhex(sys.argv[2]))
+    time.sleep(float(sys.argv[3]))
+print(program.returncode, *program.stdout.read().split("\n")[-5:-2])
 END
-while IFS='|' read -r packet wanted; do
-  got=$(timeout 60 python3 "$work/other.py" "$SBUS" "$packet" 2>&1)
+while IFS='|' read -r packet seconds wanted; do
+  got=$(timeout 60 python3 "$work/other.py" "$SBUS" "$packet" "$seconds" 2>&1)
   case $got in "1 "*"$wanted"*) true ;; *) echo "$got"; false ;; esac
   verdict $? "doctor of a port with other packets: $got"
 done <<'END'
-20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3|Not S.Bus: the receiver sends i-BUS, FlySky's protocol.
-C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41|Not S.Bus: the receiver sends CRSF
+20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3|0.007|Not S.Bus: the receiver sends i-BUS, FlySky's protocol.
+C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41|0.007|Not S.Bus: the receiver sends CRSF
+0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00|0.13|Long period: a frame comes every 1
 END

@@ -51,8 +51,6 @@ verdict $? "decode -o writes a recording"
 "$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" 2>"$work/err" >"$work/out"
 [ $? -eq 1 ] && grep -q 'decoded.txt: already exists; name another file' "$work/err"
 verdict $? "decode -o does not overwrite a file"
-"$SBUS" decode "$work/sbus2-1.vcd" --csv -o "$work/both.txt" | cmp - tool/golden/decode-sbus2.csv && cmp "$work/both.txt" "$work/decoded.txt"
-verdict $? "decode --csv -o writes the table and the recording"
 (head -n 2000 "$work/sbus2-1.vcd"; echo '#x') >"$work/broken.vcd"
 "$SBUS" decode "$work/broken.vcd" -o "$work/part.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && bytes "$work/part.txt" >"$work/part" && [ "$(wc -l <"$work/part")" -gt 100 ] && head -n "$(wc -l <"$work/part")" "$work/wanted" | cmp - "$work/part"
@@ -76,11 +74,6 @@ written() {
 }
 # RealTerm's window wraps lines; its capture does not.
 printf '%s %s' "$frame" "$frame" | fold -w 48 | written realterm.txt
-printf '%s\r\n%s\r\n' "$frame" "$frame" | written lines.txt
-printf '%s%s' "$frame" "$frame" | tr -d ' ' | written no-blanks.txt
-printf '# of a forum\n\n{0x%s, 0x%s};\n' "$frame" "$frame" | sed 's/ \([0-9A-F][0-9A-F]\)/, 0x\1/g' | written array.txt
-printf '%s,%s' "$frame" "$frame" | tr ' ' , | tr '[:upper:]' '[:lower:]' | written commas.txt
-printf '%s %s\n' "$frame" "$frame" | sed 's/ 0\([0-9A-F]\)/ \1/g; s/^0//' | written arduino.txt
 for name in bytes.bin dump.RAW; do
   # shellcheck disable=SC2059  # the frame has no %
   printf "$octal$octal" | written $name

@@ -95,11 +95,9 @@ with open("two.vcd", "w") as file:
     for us, change in both:
         file.write(f"#{us} {change}\n")
 END
-read -r first _ <<END
-$("$SBUS" decode two.vcd --csv 2>&1 >/dev/null | sed -n 's/^two.vcd: this is signal \([A-Z]*\); S.Bus is also on [A-Z]*: --signal NAME chooses$/\1/p')
-END
+first=$("$SBUS" decode two.vcd | sed -n 's/^signal \([A-Z]*\) carries S.Bus, as does [A-Z]*: .*/\1/p')
 [ "$first" = TAIL ] || [ "$first" = MAIN ]
-verdict $? "decode --csv says which signal it chose: ${first:-none}"
+verdict $? "decode says which signal it chose: ${first:-none}"
 for subcommand in monitor doctor summary telemetry hex csv report record send; do
   bad=
   run $subcommand two.vcd >said

@@ -53,12 +53,11 @@ page flight 80x24 $utf8 sim --seconds 3.2
 page failsafe 80x24 $utf8 sim --seconds 10.5
 page failsafe-small 40x12 $utf8 sim --seconds 10.5
 page failsafe-plain 80x24 'LC_ALL=C TERM=vt100' sim --seconds 10.5
-page channels24 120x50 $utf8 sim:24 --seconds 3.2
+page channels24 120x36 $utf8 sim:24 --seconds 3.2
 page channels32-small 40x12 $utf8 sim:32 --seconds 3.2
-page noise 120x50 $utf8 sim:noise=100 --seconds 3.2
+page noise 120x30 $utf8 sim:noise=100 --seconds 3.2
 page futaba 80x24 $utf8 recordings/sbus2.txt --range futaba
 page sensors 80x24 $utf8 sim:sbus2 --sensor 1=SBS-01V --seconds 3.2
-page sensors-small 40x12 $utf8 sim:sbus2 --sensor 1=SBS-01V --seconds 3.2
 page sensors-narrow 60x24 $utf8 sim:sbus2 --sensor 1=SBS-01V --seconds 3.2
 page silent 80x24 $utf8 sim:silent --seconds 2
 page sketch 80x24 $utf8 golden/DecodeSBus.csv
@@ -95,12 +94,6 @@ verdict $? "the page follows the terminal's size"
 tmux send-keys '?' && shows 'reset marks and counters' && tmux send-keys x && same failsafe &&
   tmux send-keys r && shows 'lost by radio 0' && shows 'gap -' && shows 'Failsafe:'
 verdict $? "? shows help; r resets marks and counters, but not the link's state"
-close
-
-open 40x12 "env $utf8 '$SBUS' monitor sim:sbus2 --sensor 1=SBS-01V --seconds 3.2 --simulated-time" && same sensors-small &&
-  tmux send-keys t && shows ' external voltage 24.1 V  ...' && tmux send-keys t && same sensors-small &&
-  tmux resize-window -x 60 -y 24 && same sensors-narrow && tmux send-keys t && shows 'slots 0, 1, 2' && tmux send-keys t && same sensors-narrow
-verdict $? "t shows the sensors where the page has no room for them, and hides them"
 close
 
 open 80x24 "env $utf8 '$SBUS' monitor sim" && shows ' ok' && tmux send-keys Space && shows PAUSED &&

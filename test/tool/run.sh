@@ -91,7 +91,7 @@ verdict $? "a full standard output is reported and is a failure"
 verdict $? "help also fails if standard output is full"
 "$sbus" record sim -o "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
 verdict $? "if standard error is closed, no message gets into the recording"
-"$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
+"$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; run sbus doctor sim" "$work/err" &&
   "$sbus" hex sim:silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
 verdict $? "a silent source is reported after two seconds"
 # In real time: lines are written one by one, and the second finds the reader gone.
@@ -291,9 +291,15 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-for part in wire hex files kinds captures counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
+for table in captures dumps; do
+  rm -rf "$work/$table"
+  mkdir "$work/$table"
+  python3 "tool/$table.py" "$sbus" "$work/$table"
+done
+for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry languages calibrate \
   joystick pages doctor explain; do
   tool/$part.sh
+  [ $? -lt 126 ] || verdict 1 "tool/$part.sh can be run"
 done
 
 # ---- Help and the manual
@@ -307,7 +313,7 @@ verdict $? "--help-all lists subcommands and options"
 # An option is listed under its subcommand, or under SOURCE if the subcommand takes one.
 sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
   /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || / A B$/); print "has", section }
-  /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
+  /^\.(BR?|OP) -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
 while read -r subcommand option; do
   case $subcommand in -*) line=".SH OPTIONS $subcommand" ;; *) line="${option:+$subcommand }${option:-has $subcommand}" ;; esac

@@ -8,15 +8,15 @@ cd "$(dirname "$0")/.." || exit 1
 # it after this many.
 sent() {
   python3 - "$work/port.bin" "$SBUS" send "$@" 2>"$work/err" <<'END'
-import os, pty, select, subprocess, sys, tty
-master, slave = pty.openpty()
-tty.setraw(slave)
-sender = subprocess.Popen(sys.argv[2:] + ["--port", os.ttyname(slave)])
+import os, subprocess, sys
+from ports import Port
+port = Port()
+sender = subprocess.Popen(sys.argv[2:] + ["--port", port.name])
 stop = int(os.environ.get("STOP", "0"))
-got = b""
-while sender.poll() is None or select.select([master], [], [], 0)[0]:
-    if select.select([master], [], [], 0.1)[0]:
-        got += os.read(master, 4096)
+got, part = b"", b""
+while part or sender.poll() is None:
+    part = port.read(0.1)
+    got += part
     if stop and len(got) >= stop and sender.poll() is None:
         stop = sender.send_signal(2)
 open(sys.argv[1], "wb").write(got)
@@ -123,7 +123,7 @@ done <<'END'
 |SOURCE is required
 -|sbus send: -: is empty: bytes of a line are expected
 no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
-x.csv ch1=5|ch1=5 is one argument too many; only values such as ch3=172 ch5=on may be several
+x.csv ch1=5|ch1=5 is unexpected; only values such as ch3=172 ch5=on may be several
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do

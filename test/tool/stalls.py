@@ -7,15 +7,14 @@ reads, and notes when. Tests wait for frames, not for times: only the age of a f
 """
 import json
 import os
-import pty
 import select
 import signal
 import subprocess
 import sys
-import termios
 import threading
 import time
-import tty
+
+from ports import Port, frame
 
 OLD = 0.4  # s: 0.1 s, and what a busy PC adds before the device has read
 FLY = "import sys\nfor line in sys.stdin:\n    sys.stdout.write(line)\n    sys.stdout.flush()\n"
@@ -27,16 +26,8 @@ for line in sys.stdin:
 """
 
 
-def terminal():
-    master, slave = pty.openpty()
-    tty.setraw(slave)
-    return master, slave
-
-
-def frame(number):
-    raw = [number & 2047, number >> 11] + [992] * 14
-    bits = sum(value << 11 * i for i, value in enumerate(raw))
-    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+def numbered(number):
+    return frame(number & 2047, number >> 11)
 
 
 def number_of(frame):
@@ -47,9 +38,8 @@ def number_of(frame):
 class Receiver(threading.Thread):
     def __init__(self, at_once=1):
         super().__init__(daemon=True)
-        self.master, self.slave = terminal()
-        os.set_blocking(self.master, False)
-        self.name_ = os.ttyname(self.slave)
+        self.port = Port()
+        os.set_blocking(self.port.file, False)
         self.at_once = at_once
         self.times = []
         self.silent = False
@@ -67,7 +57,7 @@ class Receiver(threading.Thread):
             count = len(self.times)
             self.times += [now] * self.at_once
             try:
-                os.write(self.master, b"".join(frame(count + i) for i in range(self.at_once)))
+                self.port.write( b"".join(numbered(count + i) for i in range(self.at_once)))
             except BlockingIOError:
                 pass
 
@@ -77,8 +67,7 @@ class Device(threading.Thread):
 
     def __init__(self, size=4096, period=0):
         super().__init__(daemon=True)
-        self.master, self.slave = terminal()
-        self.name_ = os.ttyname(self.slave)
+        self.port = Port()
         self.size, self.period = size, period
         self.paused = threading.Event()
         self.gone = threading.Event()
@@ -91,10 +80,10 @@ class Device(threading.Thread):
         while not self.gone.is_set():
             if self.period:
                 time.sleep(self.period)
-            if not select.select([self.master], [], [], 0.02)[0] or self.paused.is_set():
+            if not select.select([self.port.file], [], [], 0.02)[0] or self.paused.is_set():
                 time.sleep(0.001 if self.paused.is_set() else 0)
                 continue
-            self.came += os.read(self.master, self.size)
+            self.came += os.read(self.port.file, self.size)
             now = time.monotonic()
             while len(self.came) >= 25:
                 if self.came[0] != 15 or self.came[24] != 0 or self.came[23] & ~12:
@@ -124,7 +113,7 @@ class Chain:
         self.errors = open(os.path.join(os.environ.get("WORK", "/tmp"), "stalls.err"), "w+")
         self.stages = []
         for stage in stages:
-            words = [{"PORT": self.receiver.name_, "DEV": self.device.name_, "SBUS": sys.argv[1]}.get(word, word) for word in stage]
+            words = [{"PORT": self.receiver.port.name, "DEV": self.device.port.name, "SBUS": sys.argv[1]}.get(word, word) for word in stage]
             last = stage is stages[-1]
             preload = os.environ.get("SBUS_PRELOAD") if stage[0] == "SBUS" else None
             env = dict(os.environ, LD_PRELOAD=preload) if preload else None
@@ -195,17 +184,27 @@ def stop(chain, member, frames=220):
     return chain.figures()
 
 
+def ends(chain, text):
+    """The last program ends with status 1 and says so."""
+    until("the end of the last program", lambda: chain.stages[-1].poll() is not None)
+    if not chain.device.gone.is_set():
+        until("the last bytes", lambda: not select.select([chain.device.port.file], [], [], 0)[0])
+    status = chain.stages[-1].returncode
+    chain.end()
+    said = chain.said().strip().split("\n")[-1]
+    print("status %d, %s: " % (status, said), end="")
+    return chain.figures() and status == 1 and text in said
+
+
+def is_cut(chain):
+    """... after a failsafe frame."""
+    return ends(chain, "ended before its line did") and chain.device.frames[-1][2] == 12
+
+
 def kill(chain, member):
     chain = Chain(CHAINS[chain])
     chain.stages[member].send_signal(signal.SIGKILL)
-    until("the end of the last program", lambda: chain.stages[-1].poll() is not None)
-    until("the last bytes", lambda: not select.select([chain.device.master], [], [], 0)[0])
-    status = chain.stages[-1].returncode
-    chain.end()
-    last = chain.device.frames[-1][2]
-    text = chain.said().strip().split("\n")[-1]
-    print("status %d, last flags %02X, %s: " % (status, last, text), end="")
-    return chain.figures() and status == 1 and last == 12 and "ended before its line did" in text
+    return is_cut(chain)
 
 
 def vanish(chain):
@@ -213,16 +212,9 @@ def vanish(chain):
     chain = Chain(CHAINS[chain])
     chain.receiver.silent = True
     chain.receiver.is_silent.wait()
-    os.close(chain.receiver.slave)
-    os.close(chain.receiver.master)
-    until("the end of the last program", lambda: chain.stages[-1].poll() is not None)
-    until("the last bytes", lambda: not select.select([chain.device.master], [], [], 0)[0])
-    status = chain.stages[-1].returncode
-    last = chain.device.frames[-1][2]
-    chain.end()
-    text = chain.said().strip().split("\n")[-1]
-    print("status %d, last flags %02X, %s: " % (status, last, text), end="")
-    return chain.figures() and status == 1 and last == 12 and "ended before its line did" in text
+    os.close(chain.receiver.port.far)
+    os.close(chain.receiver.port.file)
+    return is_cut(chain)
 
 
 def lose(chain):
@@ -230,14 +222,9 @@ def lose(chain):
     chain = Chain(CHAINS[chain])
     chain.device.gone.set()
     chain.device.join()
-    for end in (chain.device.slave, chain.device.master):
+    for end in (chain.device.port.far, chain.device.port.file):
         os.close(end)
-    until("the end of the last program", lambda: chain.stages[-1].poll() is not None)
-    status = chain.stages[-1].returncode
-    chain.end()
-    text = chain.said().strip().split("\n")[-1]
-    print("status %d, %s: " % (status, text), end="")
-    return chain.figures() and status == 1 and "no program reads it any longer" in text
+    return ends(chain, "no program reads it any longer")
 
 
 def goes_on(chain, frames):
@@ -294,7 +281,7 @@ def slow(chain, size, period):
 def times(*arguments):
     """A program that is stopped again and again writes times that rise."""
     receiver = Receiver()
-    program = subprocess.Popen([sys.argv[1], arguments[0], receiver.name_, *arguments[1:]], stdout=subprocess.PIPE,
+    program = subprocess.Popen([sys.argv[1], arguments[0], receiver.port.name, *arguments[1:]], stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL, text=True)
     receiver.start()
     lines = []

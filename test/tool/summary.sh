@@ -121,7 +121,7 @@ cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
 frames       -, times are not known" ]
 verdict $? "summary of bytes without times has no times"
 "$SBUS" summary sim:silent --simulated-time --seconds 1 2>"$work/err"
-[ $? -eq 1 ] && grep -qx 'sbus summary: sim: no frames came; sbus doctor says why' "$work/err"
+[ $? -eq 1 ] && grep -qx 'sbus summary: sim: no frames received; run sbus doctor' "$work/err"
 verdict $? "summary without a frame fails"
 
 # ---- Parts of a file

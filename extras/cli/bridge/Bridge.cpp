@@ -60,9 +60,6 @@ void Bridge::run() {
   }
   _output.finish();
   std::fprintf(stderr, "%s\n", _output.summary().c_str());
-  if (_options.latency) {
-    std::fprintf(stderr, "%s\n", first.latency.text("frame").c_str());
-  }
   flush();
   if (_output.isGone()) {
     throw std::runtime_error(_to + ": no program reads it any longer; start the reader, then this again");
@@ -76,35 +73,30 @@ void Bridge::run() {
 
 Input::Taker Bridge::taker(size_t i) {
   Receiver &receiver = *_receivers[i];
-  return {[&receiver](const line::Character &character) {
-            receiver.latency.read();
-            receiver.observer.put(character);
-          },
+  return {[&receiver](const line::Character &character) { receiver.observer.put(character); },
           [this, &receiver](uint64_t nowUs) { tick(receiver, nowUs); }};
 }
 
 void Bridge::take(size_t i, const line::Stretch &stretch) {
   Receiver &receiver = *_receivers[i];
   const line::Character &last = stretch.characters.back();
-  bool isSent = false;
-  if (stretch.isFrame()) {
-    const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
-    receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
-    if (isFresh && stretch.kind != Kind::Extra) {
-      _choice.put(i, last.endUs, receiver.observer.newest());
-    }
-    if (i == chosen(last.endUs)) {
-      _end = last.value;
-      isSent = send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
-    }
+  if (!stretch.isFrame()) {
+    return;
   }
-  receiver.latency.passed(stretch.characters.size(), isSent && _options.latency);
+  const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
+  receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
+  if (isFresh && stretch.kind != Kind::Extra) {
+    _choice.put(i, last.endUs, receiver.observer.newest());
+  }
+  if (i == chosen(last.endUs)) {
+    _end = last.value;
+    send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
+  }
 }
 
 void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
   receiver.observer.idleUntil(receiver.input->knownUs());
   receiver.silence.tick(nowUs, receiver.observer.counters().frames > 0);
-  receiver.latency.tick();
   const bool waits = _output.tick();
   if (_output.isGone()) {
     for (Receiver *const each : _receivers) {
@@ -121,7 +113,7 @@ void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
 
 // With --trainer, always chooses the teacher's receiver.
 size_t Bridge::chosen(uint64_t nowUs) {
-  const size_t chosen = _options.trainer.given() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
+  const size_t chosen = _options.rules.hasTrainer() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
   if (chosen != _chosen) {
     std::fprintf(stderr, "%.3f s: %s %s\n", static_cast<double>(nowUs) / 1e6,
                  _receivers[chosen]->source.name().c_str(), chosen == 0 ? "has its link back" : "takes over");
@@ -158,8 +150,8 @@ bool Bridge::fill(uint64_t nowUs) {
 }
 
 // Sends the newest values of the chosen receiver; `last` is the frame's last character, and a frame with header 2F has
-// its own `flags`. Returns true if nothing delayed them.
-bool Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
+// its own `flags`.
+void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   const uint64_t nowUs = last.endUs;
   Receiver &receiver = *_receivers[_chosen];
   const bool isFresh = nowUs <= receiver.freshUs + line::SilenceUs && !isBroken();
@@ -168,12 +160,14 @@ bool Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
                      kind == Kind::Extra ? line::withFlags(newest, flags) : newest,
                      _options.keepsEnd ? _end : uint8_t{0}, last.sinceUs, last.lateUs};
-  if (_options.trainer.given() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
-    _options.trainer.apply(frame.values, _receivers[1]->observer.newest());
+  if (_options.rules.hasTrainer() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
+    _options.rules.train(frame.values, _receivers[1]->observer.newest());
   }
   _options.rules.apply(frame.values.raw.data());
   _sentUs = nowUs;
-  return _options.failsafe.apply(state, kind == Kind::Extra, frame.values) && _output.put(frame);
+  if (_options.rules.applyFailsafe(state, kind == Kind::Extra, frame.values)) {
+    _output.put(frame);
+  }
 }
 
 }  // namespace tool

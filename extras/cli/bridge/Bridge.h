@@ -7,12 +7,9 @@
 #include <string>
 
 #include "cli/Input.h"
-#include "cli/Latency.h"
 #include "cli/SilenceNote.h"
-#include "cli/bridge/ChannelRules.h"
-#include "cli/bridge/FailsafeOption.h"
 #include "cli/bridge/FrameOutput.h"
-#include "cli/bridge/TrainerOption.h"
+#include "cli/bridge/FrameRules.h"
 #include "cli/bridge/TwoReceivers.h"
 #include "cli/options/SourceOption.h"
 #include "line/Observer.h"
@@ -22,14 +19,10 @@ namespace tool {
 // What happens to the frames.
 struct BridgeOptions {
   BridgeOptions() = default;  // nothing: they keep their bytes
-  explicit BridgeOptions(Subcommand &subcommand)
-      : rules(subcommand), failsafe(subcommand), trainer(subcommand), keepsEnd(false) {}
+  explicit BridgeOptions(Subcommand &subcommand) : rules(subcommand), keepsEnd(false) {}
 
-  ChannelRules rules;
-  FailsafeOption failsafe;
-  TrainerOption trainer;
+  FrameRules rules;
   double backS = 1;
-  bool latency = false;
   bool keepsEnd = true;  // the end byte; otherwise 00
 };
 
@@ -40,7 +33,6 @@ struct Receiver {
   const std::unique_ptr<Input> input;
   SilenceNote silence;
   line::Observer observer;
-  Latency latency;
   uint64_t freshUs = 0;  // the end of the newest frame that may leave
 };
 
@@ -65,7 +57,7 @@ class Bridge {
   bool haveEnded() const;
   bool isBroken() const;
   bool fill(uint64_t nowUs);
-  bool send(line::Stretch::Kind kind, const line::Character &last, uint8_t flags);
+  void send(line::Stretch::Kind kind, const line::Character &last, uint8_t flags);
 
   BridgeOptions &_options;
   Receiver *const _receivers[2];

@@ -50,13 +50,12 @@ bool FrameOutput::isOld(const BridgedFrame &frame) {
   return true;
 }
 
-bool FrameOutput::put(const BridgedFrame &frame) {
+void FrameOutput::put(const BridgedFrame &frame) {
   if (!_destination) {
-    if (isOld(frame)) {
-      return false;
+    if (!isOld(frame)) {
+      print(frame);
     }
-    print(frame);
-    return true;
+    return;
   }
   const auto same = std::find_if(_waiting.begin(), _waiting.end(),
                                  [&frame](const BridgedFrame &other) { return other.kind == frame.kind; });
@@ -66,7 +65,7 @@ bool FrameOutput::put(const BridgedFrame &frame) {
   } else {
     _waiting.push_back(frame);
   }
-  return !tick();
+  tick();
 }
 
 bool FrameOutput::tick() {

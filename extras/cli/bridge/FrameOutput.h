@@ -45,8 +45,8 @@ class FrameOutput {
 
   // Sends a frame at once; on a wire, not before 2 ms after the previous frame's end, since receivers find a frame by
   // the gap before it, and not before the previous frame has left. A newer frame of the same kind replaces a waiting
-  // one. Returns false if the frame waits, or may not leave.
-  bool put(const BridgedFrame &frame);
+  // one.
+  void put(const BridgedFrame &frame);
 
   // Sends the waiting frames that are due. Returns true if a frame still waits.
   bool tick();

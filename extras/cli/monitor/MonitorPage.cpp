@@ -131,92 +131,25 @@ class Layout {
     _page.push_back(row);
   }
 
-  // Returns the facts with their names if all fit; otherwise as many facts as fit, the sensors in the last row.
+  // Returns a row for each group while there is room, with the facts that fit, and its name on a wide page.
   std::vector<PageRow> makeFacts() {
-    std::vector<PageRow> rows = namedFacts();
-    if (rows.empty()) {
-      rows = foldedFacts(static_cast<size_t>(_spare + 1));
-    }
-    _spare -= static_cast<int>(rows.size()) - 1;
-    return rows;
-  }
-
-  // Returns nothing if the rows do not fit.
-  std::vector<PageRow> namedFacts() const {
-    constexpr int NameWidth = 9;
+    constexpr int NameWidth = 10;
+    constexpr int WithNames = 90;
+    const std::string between = "  ";
     std::vector<PageRow> rows;
-    std::vector<MonitorView::Group> groups = _view.groups;
-    if (!_view.sensors.facts.empty()) {
-      groups.push_back(_view.sensors);
-    }
-    for (const MonitorView::Group &group : groups) {
+    for (const MonitorView::Group &group : _view.groups) {
+      const std::string name = _size.width < WithNames ? " " : padded(" " + group.name, NameWidth);
       std::string text;
       for (const std::string &fact : group.facts) {
-        text += (text.empty() ? "" : "   ") + fact;
+        if (widthOf(name + text + between + fact) < _size.width) {
+          text += (text.empty() ? "" : between) + fact;
+        }
       }
-      if (widthOf(text) >= _size.width - NameWidth) {
-        return {};
+      if (rows.empty() || take(1)) {
+        rows.push_back({{name, Style::Dim}, {text, Style::Plain}});
       }
-      rows.push_back({{padded(" " + group.name, NameWidth + 1), Style::Dim}, {text, Style::Plain}});
-    }
-    return static_cast<int>(rows.size()) <= _spare + 1 ? rows : std::vector<PageRow>();
-  }
-
-  std::vector<PageRow> foldedFacts(size_t most) const {
-    const std::vector<std::string> &sensors = _view.sensors.facts;
-    std::vector<std::string> facts = sensors;
-    if (!_view.showsSensors || sensors.empty()) {
-      facts.clear();
-      for (const MonitorView::Group &group : _view.groups) {
-        facts.insert(facts.end(), group.facts.begin(), group.facts.end());
-      }
-      if (!sensors.empty()) {
-        return withSensors(facts, most);
-      }
-    }
-    std::vector<PageRow> rows;
-    while (!facts.empty() && rows.size() < most) {
-      const std::vector<std::string> before = facts;
-      std::string text = takeRow(facts, "");
-      if (_view.showsSensors && rows.size() + 1 == most && !facts.empty()) {  // not all of them fit
-        facts = before;
-        text = takeRow(facts, "...");
-      }
-      rows.push_back({{" " + text, Style::Plain}});
     }
     return rows;
-  }
-
-  // Returns rows with the sensors in the last one. A single row ends with the key that shows them instead.
-  std::vector<PageRow> withSensors(std::vector<std::string> facts, size_t most) const {
-    std::vector<PageRow> rows;
-    while (!facts.empty() && rows.size() + 1 < most) {
-      rows.push_back({{" " + takeRow(facts, ""), Style::Plain}});
-    }
-    if (most == 1) {
-      rows.push_back({{" " + takeRow(facts, "t: sensors"), Style::Plain}});
-      return rows;
-    }
-    std::vector<std::string> sensors = _view.sensors.facts;
-    std::string text = takeRow(sensors, "");
-    if (!sensors.empty()) {  // not all of them fit
-      sensors = _view.sensors.facts;
-      text = takeRow(sensors, "t: all " + std::to_string(sensors.size()));
-    }
-    rows.push_back({{" " + text, Style::Plain}});
-    return rows;
-  }
-
-  // Removes the first facts: at least one, and as many as fit into a row that ends with `last`.
-  std::string takeRow(std::vector<std::string> &facts, const std::string &last) const {
-    const int room = _size.width - 2 - (last.empty() ? 0 : widthOf(last) + 2);
-    std::string text = facts.front();
-    size_t count = 1;
-    while (count < facts.size() && widthOf(text) + 2 + widthOf(facts[count]) <= room) {
-      text += "  " + facts[count++];
-    }
-    facts.erase(facts.begin(), facts.begin() + static_cast<std::ptrdiff_t>(count));
-    return cut(text, room) + (last.empty() ? "" : "  " + last);
   }
 
   const MonitorView &_view;
@@ -244,7 +177,6 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "q      quit; so does Ctrl-C",
       "r      reset marks and counters",
       "space  pause; the counters keep running",
-      "t      sensors, where room is short",
       "?      this page; any key goes back",
       "[ ]    lowest, highest since the reset;",
       "       frames with a flag do not count",

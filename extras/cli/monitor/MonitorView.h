@@ -41,10 +41,8 @@ struct MonitorView {
   std::vector<Channel> channels;
   std::vector<Indicator> indicators;
   std::string quality;  // the link's, "quality 98 %"; empty for rows
-  std::vector<Group> groups;
-  Group sensors;              // of S.BUS2; no facts: no telemetry yet
-  bool showsSensors = false;  // instead of the groups, if there is no room for both
-  std::string plain;          // the counters and times in one line, for a pipe
+  std::vector<Group> groups;  // the most important one first
+  std::string plain;  // the counters and times in one line, for a pipe
 };
 
 }  // namespace tool

@@ -19,6 +19,8 @@ constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
 constexpr size_t AllColumns = 18;          // examples/AllChannels
+constexpr unsigned ExtrasProve = 2;        // frames with header 2F: the line has 32 channels
+constexpr unsigned ExtraWithin = 8;        // frames without one
 
 std::string age(uint64_t us) {
   return us < SecondUs        ? line::format("%4lu ms", static_cast<unsigned long>(us / 1000))
@@ -75,7 +77,17 @@ void MonitoredLine::take(const line::Stretch &stretch) {
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame()) {
     _isCsv = false;
+    const bool isExtra = stretch.kind == line::Stretch::Kind::Extra;
+    _extras = isExtra ? std::min(_extras + 1, ExtrasProve) : ++_sinceExtra < ExtraWithin ? _extras : 0;
+    _sinceExtra = isExtra ? 0 : _sinceExtra;
   }
+}
+
+// A header 0F that noise turns into 2F makes no line of 32 channels.
+line::Values MonitoredLine::newest() const {
+  line::Values values = _observer.newest();
+  values.count = values.count == values.raw.size() && _extras < ExtrasProve ? sbus::ProportionalCount : values.count;
+  return values;
 }
 
 bool MonitoredLine::rowIsRaw() const {
@@ -119,9 +131,7 @@ MonitorView MonitoredLine::view(uint64_t nowUs) {
     view.bannerMood = view.old ? Mood::Bad : Mood::Warn;
   }
   view.plain = view.quality;
-  std::vector<MonitorView::Group> groups = view.groups;
-  groups.push_back(view.sensors);
-  for (const MonitorView::Group &group : groups) {
+  for (const MonitorView::Group &group : view.groups) {
     for (const std::string &fact : group.facts) {
       view.plain += (view.plain.empty() ? "" : ", ") + fact;
     }
@@ -140,7 +150,7 @@ std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
         .numbers("values", values)
         .line();
   }
-  const line::Values &values = _observer.newest();
+  const line::Values values = newest();
   const sbus::Counters &now = _observer.counters();
   Json json("state");
   json.digits("time_us", shownUs).text("state", stateName(_observer.heldState(nowUs)));
@@ -164,7 +174,7 @@ std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
 }
 
 void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
-  const line::Values &values = _observer.newest();
+  const line::Values values = newest();
   const std::string variant = _variant.text();
   view.kind = (variant.empty() ? "" : variant + ", ") + std::to_string(_settings.baud) + " baud";
   const bool seen = values.count > 0;
@@ -189,7 +199,7 @@ void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
   view.quality = line::format("quality %u %%", _observer.linkQuality(nowUs));
   view.groups = groups(nowUs, seen);
   if (_observer.telemetry().count() > 0) {
-    view.sensors = telemetry(nowUs);
+    view.groups.insert(view.groups.end() - 1, telemetry(nowUs));
   }
 }
 
@@ -222,7 +232,7 @@ std::vector<MonitorView::Group> MonitoredLine::groups(uint64_t nowUs, bool seen)
 }
 
 void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
-  const line::Values &values = _observer.newest();
+  const line::Values values = newest();
   const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + BytesUs;
   const sbus::LinkState state = _observer.heldState(nowUs);
   switch (state) {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "cli/Output.h"
-#include "cli/options/PortNames.h"
+#include "cli/subcommands/Subcommands.h"
 #include "line/system/System.h"
 
 namespace tool {
@@ -204,7 +204,7 @@ std::string misplacedWord(const CLI::App &app) {
       std::find_if(left.begin(), left.end(), [](const std::string &word) { return word[0] == '-' && word != "-"; });
   const std::string help = name == "sbus" ? "sbus --help" : "sbus help " + name.substr(5);
   if (option == left.end()) {
-    return name + ": " + left.front() + " is one argument too many; " + help + " lists what it takes";
+    return name + ": " + left.front() + " is an unexpected argument; " + help + " lists what it takes";
   }
   if (!subcommands.empty() && !own.empty() && subcommands.front()->get_option_no_throw(*option) != nullptr) {
     const std::string &owner = subcommands.front()->get_name();

@@ -16,6 +16,7 @@
 #include "line/recording/CsvRows.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RestoredLine.h"
+#include "line/recording/WallTime.h"
 #include "line/recording/Words.h"
 #include "line/simulation/NoisyLine.h"
 #include "line/system/System.h"
@@ -64,7 +65,7 @@ SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows,
   subcommand.option("--baud", _given.baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
-  subcommand.option("--seconds", _given.seconds, "end after this many seconds").seconds().type("S");
+  subcommand.option("--seconds", _given.seconds, "stop after S seconds").seconds().type("S");
   _given.signal =
       subcommand.option("--signal", _given.overrides.signal, "the signal of a capture (the one with the most frames)")
           .notEmpty()
@@ -81,15 +82,12 @@ void SourceOption::addRows(Subcommand &subcommand) {
   _given.asRows = subcommand.flag("--rows", "the port carries a sketch's rows, at 115200 baud");
 }
 
-SourceOption::SourceOption(const SourceOption &first, const std::string &word) : _given(first._given), _word(word) {
+SourceOption::SourceOption(const SourceOption &first, const std::string &word, const Option &given,
+                           const std::string &signal)
+    : _given(first._given), _word(word) {
   if (word == first._word && Pipe::isPipe(word)) {
     rejectCommandLine(word + ": cannot be read twice; name another source");
   }
-}
-
-SourceOption::SourceOption(const SourceOption &first, const std::string &word, const Option &given,
-                           const std::string &signal)
-    : SourceOption(first, word) {
   if (given.given()) {
     _given.signal = given;
     _given.overrides.signal = signal;
@@ -114,7 +112,7 @@ SourceOption::Parsed SourceOption::parse() const {
     return parseValues();
   }
   if (_words.size() > 1) {
-    rejectCommandLine(_words[1] + " is one argument too many; only values such as ch3=172 ch5=on may be several");
+    rejectCommandLine(_words[1] + " is unexpected; only values such as ch3=172 ch5=on may be several");
   }
   Parsed parsed;
   try {
@@ -207,14 +205,6 @@ line::LineSettings SourceOption::lineSettings() const {
   return settings;
 }
 
-bool SourceOption::isFile() const {
-  return parsed().kind == Kind::File;
-}
-
-bool SourceOption::isStream() const {
-  return parsed().kind == Kind::Stream;
-}
-
 // A pipe whose frames say when they were read is live, however many come at once: old ones may be the rest of a line
 // that has stopped.
 bool SourceOption::isLive() const {
@@ -224,10 +214,6 @@ bool SourceOption::isLive() const {
            (!_isAtOnce || file().isRead);
   }
   return kind == Kind::Port || (kind == Kind::Stream && !_isAtOnce && !_given.simulatedTime.given());
-}
-
-bool SourceOption::hasFrames() const {
-  return !_given.asRows.given() && !(isStream() && _pipe->hasRows());
 }
 
 void SourceOption::rejectEmpty() const {
@@ -251,33 +237,24 @@ bool SourceOption::isWire() const {
                             : kind == Kind::Simulated || kind == Kind::Values;
 }
 
-bool SourceOption::hasTimes() const {
-  return isFile() ? file().hasTimes : !isStream();
-}
-
-int64_t SourceOption::zeroUs() const {
-  return isFile() ? file().zeroUs : 0;
-}
-
 std::optional<double> SourceOption::shownUs(uint64_t us) const {
   return hasTimes() ? std::optional<double>(static_cast<double>(static_cast<int64_t>(us) + zeroUs())) : std::nullopt;
 }
 
-std::optional<int64_t> SourceOption::startUs() const {
-  return isFile() ? file().startUs : _startUs;
-}
-
 Json SourceOption::json() const {
-  JsonLine line;
-  line.source = name();
-  line.signal = isFile() ? file().signal : "";
-  line.baud = settings().baud;
-  if (isWire()) {
-    line.inverted = !lineSettings().idleHigh();
+  Json json("line");
+  json.number("format", uint64_t{1}).text("source", name());
+  if (isFile() && !file().signal.empty()) {
+    json.text("signal", file().signal);
   }
-  line.startUs = startUs();
-  line.isTimed = hasTimes();
-  return lineJson(line);
+  json.number("baud", settings().baud);
+  if (isWire()) {
+    json.flag("inverted", !lineSettings().idleHigh());
+  }
+  if (startUs()) {
+    json.text("start", line::wallTime(*startUs()));
+  }
+  return hasTimes() ? json : json.flag("timed", false);
 }
 
 const FileSource &SourceOption::file() const {

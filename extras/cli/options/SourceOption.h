@@ -30,11 +30,10 @@ class SourceOption {
   SourceOption(Subcommand &subcommand, Playback playback, Rows rows = Rows::Shown, const char *name = "SOURCE");
   // Adds --rows, for a subcommand that can do something with a sketch's rows from a port.
   void addRows(Subcommand &subcommand);
-  // A second source, named by another option or argument, with the options of `first`. Create it after the command line
-  // has been read.
-  SourceOption(const SourceOption &first, const std::string &word);
-  // The same; `signal`, if given, is its own.
-  SourceOption(const SourceOption &first, const std::string &word, const Option &given, const std::string &signal);
+  // A second source, named by another option or argument, with the options of `first`; `signal`, if given, is its own.
+  // Create it after the command line has been read.
+  SourceOption(const SourceOption &first, const std::string &word, const Option &given = Option(),
+               const std::string &signal = {});
   SourceOption(const SourceOption &) = delete;
   SourceOption &operator=(const SourceOption &) = delete;
 
@@ -54,13 +53,13 @@ class SourceOption {
   // Returns the name of the file or port, "-", "sim" or the values.
   const std::string &name() const { return parsed().name; }
 
-  bool isFile() const;
-  bool isStream() const;
+  bool isFile() const { return parsed().kind == Kind::File; }
+  bool isStream() const { return parsed().kind == Kind::Stream; }
 
   // Returns true for a port, and for a pipe that is written while it is played: what waits there becomes old.
   bool isLive() const;
   // Returns false for a live source with a sketch's rows.
-  bool hasFrames() const;
+  bool hasFrames() const { return !_given.asRows.given() && !(isStream() && _pipe->hasRows()); }
 
   // Throws std::runtime_error if it is a pipe that has ended without a byte.
   void rejectEmpty() const;
@@ -68,11 +67,11 @@ class SourceOption {
   // Returns true if the levels are known, so a port of either polarity can receive them: sim, recordings, captures.
   bool isWire() const;
   // Returns true if its times are the line's; false for a file of bytes and for a pipe's bytes.
-  bool hasTimes() const;
+  bool hasTimes() const { return isFile() ? file().hasTimes : !isStream(); }
   // Returns time 0 in us since 1970, which is now for a port or a pipe; nothing if it is unknown.
-  std::optional<int64_t> startUs() const;
+  std::optional<int64_t> startUs() const { return isFile() ? file().startUs : _startUs; }
   // Returns the source's time when a character's time is 0; below 0 for a file that begins before its own time 0.
-  int64_t zeroUs() const;
+  int64_t zeroUs() const { return isFile() ? file().zeroUs : 0; }
   // Returns a character's time in the source's time; nothing if times are not known.
   std::optional<double> shownUs(uint64_t us) const;
   // Returns the first JSON line. Call it after open().

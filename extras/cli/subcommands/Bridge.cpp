@@ -29,14 +29,13 @@ void run(Options &options) {
   const sbus::Range range = options.range.range();
   options.source.setRange(range);
   options.bridge.rules.read(range);
-  options.bridge.failsafe.read(range);
-  options.bridge.trainer.read(range);
-  if (options.bridge.trainer.given() && options.second.empty()) {
+  if (options.bridge.rules.hasTrainer() && options.second.empty()) {
     rejectCommandLine("--trainer: --second is the pupil's receiver; name it");
   }
-  if (options.back.given() && (options.bridge.trainer.given() || options.second.empty())) {
-    rejectCommandLine(options.bridge.trainer.given() ? "--back: the teacher's receiver is always used; leave it out"
-                                              : "--back: --second is the other receiver; name it");
+  if (options.back.given() && (options.bridge.rules.hasTrainer() || options.second.empty())) {
+    rejectCommandLine(options.bridge.rules.hasTrainer()
+                          ? "--back: the teacher's receiver is always used; leave it out"
+                          : "--back: --second is the other receiver; name it");
   }
   std::optional<SourceOption> second;
   if (!options.second.empty()) {
@@ -68,8 +67,6 @@ void addBridge(CLI::App &app) {
       subcommand.option("--back", options->bridge.backS, "how long the first must have its link before it is used again (1)")
           .between(0, 60)
           .type("S");
-  subcommand.flag("--latency", options->bridge.latency,
-                  "print at the end the time from reading a frame's last byte to writing the frame");
   subcommand.footer(
       "Only accepted frames are sent, each at once, with their flags; the end byte is 00, and telemetry is left out. "
       "No frame older than 0.1 s is sent: while no fresh ones come, bridge sends the newest values every 9 ms with the "

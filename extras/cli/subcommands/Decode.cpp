@@ -7,13 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/DecodeOutput.h"
+#include "cli/DecodeTable.h"
 #include "cli/FileSource.h"
 #include "cli/Output.h"
 #include "cli/PendingSlots.h"
 #include "cli/Pipe.h"
 #include "cli/TextLine.h"
-#include "cli/options/ChannelFormOption.h"
 #include "cli/options/PartOption.h"
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
@@ -31,17 +30,14 @@ struct Options {
   line::Overrides overrides;
   PartOption part;
   std::string invert;
-  bool csv = false;
-  bool json = false;
   bool characters = false;
 };
 
 // Passes the wire's characters to the Observer, with times from 0, and receives stretches from it.
 class Frames {
  public:
-  // `record` may be empty; it receives the text of a recording. `isShown`: the frames go to `output`.
-  Frames(DecodeOutput &output, bool isShown, Put record)
-      : _output(output), _isShown(isShown), _record(std::move(record)) {
+  // `record` receives the text of a recording; without it the frames go to `output`.
+  Frames(DecodeTable &output, Put record) : _output(output), _record(std::move(record)) {
     _observer.listen([this](const line::Stretch &stretch) { _held.take(stretch); });
   }
 
@@ -79,13 +75,12 @@ class Frames {
     const auto end = _waiting.begin() + static_cast<std::ptrdiff_t>(stretch.characters.size());
     const std::vector<line::WireCharacter> characters(_waiting.begin(), end);
     _waiting.erase(_waiting.begin(), end);
-    if (_isShown) {
+    if (!_record) {
       _output.stretch(stretch, characters, _observer.newest());
     }
   }
 
-  DecodeOutput &_output;
-  const bool _isShown;
+  DecodeTable &_output;
   const Put _record;
   line::RecordingWriter _writer;
   line::Observer _observer;
@@ -99,7 +94,7 @@ std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) 
          (wire.isMeasured() ? " at " + text(wire.wire().settings) : "") + ", but no frame of S.Bus: " + line::FrameForm;
 }
 
-void decode(const Options &options, const ChannelForm &form, const Put &record) {
+void decode(const Options &options, const Put &record) {
   line::onStop(SIG_DFL);  // Ctrl-C ends it at once, even while it waits for standard input: no file is left half done
   if (options.capture == "-") {
     setLineByLine();
@@ -110,21 +105,15 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
       throw std::runtime_error(options.capture + ": " + other);
     }
   }
-  DecodeOutput output(options.json  ? Form::Json
-                      : options.csv ? Form::Csv
-                                    : Form::Table,
-                      options.characters, options.capture, form);
+  DecodeTable output(options.characters);
   std::optional<int64_t> firstUs;  // of all characters
   int64_t lastUs = 0;
   bool any = false;  // in the part
-  Frames frames(output, !record || options.csv || options.json, record);
+  Frames frames(output, record);
   line::WireDecoder wire(
       options.overrides,
       [&] {
         output.begin(wire);
-        if (options.csv || options.json) {  // the table has it in its first line
-          reportSignal(options.capture, wire);
-        }
         frames.begin(options.capture, wire.wire());
       },
       [&](const line::WireCharacter &character) {
@@ -159,19 +148,15 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   if (observer.counters().frames == 0 && !options.characters) {
     throw std::runtime_error(options.capture + ": " + whyNoFrame(wire, observer.characters()));
   }
-  if (output.leftOut() > 0) {
-    throw std::runtime_error(options.capture + ": " + std::to_string(output.leftOut()) +
-                             " frames have other channels than the first ones and are left out; --json prints all");
-  }
 }
 
-void run(const Options &options, const ChannelForm &form) {
+void run(const Options &options) {
   if (options.output.empty()) {
-    decode(options, form, Put());
+    decode(options, Put());
     return;
   }
   rejectSameFile(options.capture, options.output);
-  writeTo(options.output, File::New, [&](const Put &put) { decode(options, form, put); });
+  writeTo(options.output, File::New, [&](const Put &put) { decode(options, put); });
 }
 
 }  // namespace
@@ -213,19 +198,16 @@ void addDecode(CLI::App &app) {
           "--threshold", [&overrides](double volts) { overrides.threshold = volts; },
           "the voltage above which the wire is high, in the capture's unit (detected)")
       .type("V");
-  const Option csv = subcommand.flag("--csv", options->csv, "print rows for a spreadsheet");
-  subcommand.flag("--json", options->json, "JSON lines").excludes(csv);
   subcommand.flag("--characters", options->characters, "print the characters, not the frames");
   subcommand.footer(
       "Decode finds the signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold, "
       "unless options name them. Times are the capture's: the end of a frame's last byte, or the first edge of a "
-      "character. It exits with 1 if there is no frame.");
-  const auto form = std::make_shared<ChannelFormOption>(subcommand);
-  subcommand.run([options, form] {
+      "character. It exits with 1 if there is no frame. For programs, hex --json and csv print a capture's frames.");
+  subcommand.run([options] {
     options->overrides.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;
-    run(*options, form->form(options->json));
+    run(*options);
   });
 }
 

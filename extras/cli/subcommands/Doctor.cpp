@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Examination.h"
+#include "line/Format.h"
 #include "line/report/DetectedVariant.h"
 
 namespace tool {
@@ -95,27 +97,62 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
   }
 }
 
-Json verdict(bool well, const std::string &finding, const std::string &remedy) {
-  return Json("verdict").flag("well", well).text("finding", finding).text("remedy", remedy);
+struct Verdict {
+  bool well;
+  std::string finding;
+  std::string remedy;
+  std::string advice{};  // further lines of the text
+
+  Json json() const { return Json("verdict").flag("well", well).text("finding", finding).text("remedy", remedy); }
+  std::string text() const { return finding + "\n" + remedy + "\n" + advice; }
+};
+
+// Returns the verdict on what is not a line as a receiver sends it; nothing for a line.
+std::optional<Verdict> verdictOnSource(const SourceOption &source,
+                                       const std::vector<std::unique_ptr<SettingTrial>> &heard) {
+  if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
+    return Verdict{false, "Rows of CSV: a sketch prints them; this is not S.Bus.",
+                   "sbus monitor shows them: at 115200 baud with --rows. For S.Bus name the receiver's port."};
+  }
+  if (!source.isFile() || source.file().damage.empty()) {
+    return std::nullopt;
+  }
+  const std::string &damage = source.file().damage;
+  const size_t remedyAt = damage.find("; ");
+  std::string remedy = damage.substr(remedyAt + 2) + ".";
+  remedy[0] = static_cast<char>(remedy[0] - 'a' + 'A');
+  return Verdict{false, "Changed bytes: " + damage.substr(0, remedyAt) + ".", remedy};
+}
+
+Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, bool isExpectedSetting,
+                      const std::string &advice) {
+  const bool well = line::isWell(finding);
+  const unsigned ms = well || (finding == sbus::Finding::NoFrames && isExpectedSetting) ? best.longPeriodMs() : 0;
+  if (ms > 0) {
+    return {false,
+            line::format("Long period: a frame comes every %u ms, and %s.", ms,
+                         ms < sbus::Link::DefaultTimeout ? "a missing one makes the link stale"
+                                                         : "the link is stale in between"),
+            line::format("Call setTimeout(%u) in the sketch, or set the receiver to a shorter period.",
+                         (3 * ms + 49) / 50 * 50)};
+  }
+  if (well && best.isInterrupted()) {
+    return {false, "Interruptions: frames come, but the line is idle now and then.",
+            "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary "
+            "lists the times."};
+  }
+  if (well && best.rejectsTelemetry()) {
+    return {false, "Telemetry rejected: the frames are good, but the bytes after them are not just slots.",
+            "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"};
+  }
+  return {well, std::string(text(finding)), remedyAtPc(finding), advice};
 }
 
 // Prints the verdict. Returns true if the line is fine.
 bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<SettingTrial>> &heard,
                   const std::vector<line::LineSettings> &settings, bool asJson) {
-  if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
-    const std::string finding = "Rows of CSV: they come from a sketch; this is not S.Bus.";
-    const std::string remedy =
-        "sbus monitor shows them: at 115200 baud with --rows. For S.Bus name the receiver's port.";
-    write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
-    return false;
-  }
-  if (source.isFile() && !source.file().damage.empty()) {
-    const std::string &damage = source.file().damage;
-    const size_t remedyAt = damage.find("; ");
-    const std::string finding = "Changed bytes: " + damage.substr(0, remedyAt) + ".";
-    std::string remedy = damage.substr(remedyAt + 2) + ".";
-    remedy[0] = static_cast<char>(remedy[0] - 'a' + 'A');
-    write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
+  if (const std::optional<Verdict> other = verdictOnSource(source, heard)) {
+    write(asJson ? other->json().line() : other->text());
     return false;
   }
   sbus::Diagnosis diagnosis;
@@ -124,27 +161,11 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
   }
   const sbus::Finding finding = diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
-  std::string what = text(finding);
-  std::string remedy = remedyAtPc(finding);
-  bool well = line::isWell(finding);
-  if (well && best.isInterrupted()) {
-    what = "Interruptions: frames come, but now and then the line is silent.";
-    remedy =
-        "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary lists "
-        "the times.";
-    well = false;
-  } else if (well && best.rejectsTelemetry()) {
-    what = "Telemetry rejected: the frames are good, but the bytes after them are not just slots.";
-    remedy = "Disconnect the sensors one by one: do two share a slot, or does one answer too late?";
-    well = false;
-  }
-  if (asJson) {
-    write(verdict(well, what, remedy).text("line", best.variant()).line());
-    return well;
-  }
-  write(what + "\n" + remedy + "\n" + advice(finding, source, settings.front(), settings[diagnosis.best()]) +
-        best.figures(source.hasTimes()) + best.telemetry() + best.note());
-  return well;
+  const Verdict verdict = verdictOnLine(finding, best, diagnosis.best() == 0,
+                                        advice(finding, source, settings.front(), settings[diagnosis.best()]));
+  write(asJson ? verdict.json().text("line", best.variant()).line()
+               : verdict.text() + best.figures(source.hasTimes()) + best.telemetry() + best.note());
+  return verdict.well;
 }
 
 bool examine(const SourceOption &source, bool asJson) {

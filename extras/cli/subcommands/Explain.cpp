@@ -79,8 +79,7 @@ class Frame {
       printChannels();
     }
     if (_bytes.size() < _size) {
-      _problems.push_back(line::format("byte %zu is missing: only %zu of the %zu bytes of a frame came", _bytes.size(),
-                                       _bytes.size(), _size));
+      _problems.push_back(line::format("byte %zu is missing: a frame has %zu bytes", _bytes.size(), _size));
     }
   }
 
@@ -231,7 +230,7 @@ void run(const std::vector<std::string> &words) {
     flush();
     problems = frame.problems();
   } else if (problems.empty()) {
-    problems.push_back("no bytes came; a frame in hexadecimal is expected, such as 0F E3 03 ...");
+    problems.push_back("no bytes; a frame in hexadecimal is expected, such as 0F E3 03 ...");
   }
   for (const std::string &problem : problems) {
     std::fprintf(stderr, "sbus explain: %s\n", problem.c_str());

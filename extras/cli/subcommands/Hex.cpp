@@ -12,7 +12,7 @@
 #include "cli/Output.h"
 #include "cli/PendingSlots.h"
 #include "cli/SilenceNote.h"
-#include "cli/options/ChannelFormOption.h"
+#include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Format.h"
@@ -49,6 +49,7 @@ const char *kindText(line::Stretch::Kind kind) {
                                                 : "-";
 }
 
+constexpr size_t Row = sbus::FrameSize;  // bytes
 constexpr size_t LeastWidth = 60;  // columns; a narrower terminal wraps the lines itself
 
 struct HexOptions {
@@ -86,52 +87,38 @@ class HexView {
                                        : line::format("%12s  ", "-");
     _lastUs = _options.delta ? us : 0;
     const size_t width = _options.width > 0 ? _options.width : line::terminalColumns();
-    if (width > 0) {
-      showFolded(stretch, time, std::max(width, LeastWidth));
-      return;
-    }
-    const char *const colour = colourOf(stretch);
-    std::string text = _colours.time + time + _colours.off + colour + bytes(stretch, 0, stretch.characters.size());
-    for (size_t i = stretch.characters.size(); i < sbus::FrameSize; i++) {
-      text += "   ";
-    }
-    text += " " + verdict(stretch) + (stretch.isFrame() ? coloured(flags(stretch)) : _colours.off);
-    text += stretch.isFrame() && _options.values ? " " : "";
-    for (const std::string &value : values(stretch)) {
-      text += value;
-    }
-    write(text + '\n');
+    showRows(stretch, time, width == 0 ? Endless : std::max(width, LeastWidth));
   }
 
  private:
-  static constexpr size_t ByteWidth = 3;  // columns, like the next ones
+  static constexpr size_t Endless = 1000000;  // columns, like the next ones
+  static constexpr size_t ByteWidth = 3;
   static constexpr size_t LeastText = 15;
   static constexpr size_t LeastValues = 4;
   static constexpr size_t ValueWidth = 5;
 
   // Writes the bytes on the left and their meaning on the right, in as many rows as needed.
-  void showFolded(const line::Stretch &stretch, const std::string &time, size_t width) const {
+  void showRows(const line::Stretch &stretch, const std::string &time, size_t width) const {
+    const size_t count = stretch.characters.size();
     const size_t least = _options.values ? LeastValues * ValueWidth : LeastText;
     const size_t room = width - time.size() - 1;
-    const size_t most = std::min<size_t>((room - least) / ByteWidth, sbus::FrameSize);
-    const size_t frameRows = (sbus::FrameSize + most - 1) / most;
-    const size_t perRow = (sbus::FrameSize + frameRows - 1) / frameRows;
+    const size_t most = std::min((room - least) / ByteWidth, width == Endless ? std::max(count, Row) : Row);
+    const size_t frameRows = (Row + most - 1) / most;
+    const size_t perRow = most > Row ? most : (Row + frameRows - 1) / frameRows;
     const size_t textWidth = room - perRow * ByteWidth;
     std::vector<std::string> texts;
     fold(verdict(stretch) + flags(stretch), textWidth, texts);
-    const bool alarmed = !flags(stretch).empty();
-    const char *const colour = alarmed ? _colours.flags : colourOf(stretch);
+    const std::string colour = flags(stretch).empty() ? colourOf(stretch) : _colours.flags;
     for (std::string &text : texts) {
-      text = colour + text + (*colour != '\0' ? _colours.off : "");
+      text = colour + text + (colour.empty() ? "" : _colours.off);
     }
     const std::vector<std::string> all = values(stretch);
     for (size_t i = 0; i < all.size(); i++) {
-      if (i % (textWidth / ValueWidth) == 0) {
+      if (width != Endless && i % (textWidth / ValueWidth) == 0) {
         texts.emplace_back();
       }
-      texts.back() += all[i];
+      texts.back() += (width == Endless && i == 0 ? " " : "") + all[i];
     }
-    const size_t count = stretch.characters.size();
     for (size_t row = 0; row * perRow < count || row < texts.size(); row++) {
       const size_t from = std::min(row * perRow, count);
       const size_t to = std::min(from + perRow, count);
@@ -145,14 +132,14 @@ class HexView {
   }
 
   std::string bytes(const line::Stretch &stretch, size_t from, size_t to) const {
-    const char *const colour = colourOf(stretch);
-    std::string text;
+    const std::string colour = colourOf(stretch);
+    std::string text = colour;
     for (size_t i = from; i < to; i++) {
       const line::Character &character = stretch.characters[i];
       const std::string byte = line::format("%02X", static_cast<unsigned>(character.value));
       text += character.bad ? _colours.bad + byte + "!" + _colours.off + colour : byte + " ";
     }
-    return text;
+    return text + (colour.empty() ? "" : _colours.off);
   }
 
   const char *colourOf(const line::Stretch &stretch) const {
@@ -176,10 +163,6 @@ class HexView {
     }
     const line::Values &values = _observer.newest();
     return std::string(values.lostFrame ? ", lost frame" : "") + (values.failsafe ? ", failsafe" : "");
-  }
-
-  std::string coloured(const std::string &flags) const {
-    return flags.empty() ? "" : _colours.flags + flags + _colours.off;
   }
 
   // Returns the frame's raw values, with --values.
@@ -265,7 +248,7 @@ void addHex(CLI::App &app) {
   subcommand.flag("--json", options->json, "JSON lines: the frames, and the discarded bytes")
       .excludes(values)
       .excludes(delta);
-  subcommand.option("--width", options->width, "break lines at this many columns (the terminal's; no breaks elsewhere)")
+  subcommand.option("--width", options->width, "wrap lines at N columns (the terminal's; no breaks elsewhere)")
       .between(LeastWidth, 1000)
       .type("N");
   subcommand.option("--color", options->colour, "auto: colours on a terminal (auto)")
@@ -275,8 +258,18 @@ void addHex(CLI::App &app) {
       "Each line has the time at which its last byte ended, in seconds, or - if unknown; the bytes, with ! after "
       "each with a wrong parity or stop bit; frame, frame24 (24 channels), extra (header 2F) or - for no frame; and "
       "the end byte or the reason.");
-  const auto form = std::make_shared<ChannelFormOption>(subcommand);
-  subcommand.run([source, options, form] { run(*source, *options, form->form(options->json)); });
+  const auto unit = std::make_shared<std::string>("raw");
+  const Option unitOption = subcommand.option("--unit", *unit, "the unit of the channels in JSON lines (raw)")
+                                .oneOf({"raw", "us", "percent"})
+                                .type("raw|us|percent");
+  const auto range = std::make_shared<RangeOption>(subcommand);
+  subcommand.run([source, options, unit, unitOption, range] {
+    if (unitOption.given() && !options->json) {
+      rejectCommandLine("--unit: is for JSON lines; add --json, or leave it out");
+    }
+    run(*source, *options,
+        {*unit == "us" ? line::Unit::Us : *unit == "percent" ? line::Unit::Percent : line::Unit::Raw, range->range()});
+  });
 }
 
 }  // namespace tool

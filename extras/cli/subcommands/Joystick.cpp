@@ -13,7 +13,6 @@
 
 #include "cli/CalibrationFile.h"
 #include "cli/GameController.h"
-#include "cli/Latency.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
@@ -41,7 +40,6 @@ struct Options {
   int throttle = 3;  // -3: closed at its high end
   Option throttleOption;
   std::string failsafe = "centre";
-  bool latency = false;
 };
 
 // The channels, counted from 0, that move the axes and press the buttons.
@@ -150,34 +148,28 @@ void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
   GameController controller(rest);
   std::fprintf(stderr, "%s: a game controller with 8 axes and 24 buttons; Ctrl-C ends it\n", controller.name().c_str());
-  Latency latency;
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   const auto show = [&](uint64_t nowUs) {
     if (observer.hasLink(nowUs)) {
-      return controller.write(stateOf(observer.newest(), map, ranges));
+      controller.write(stateOf(observer.newest(), map, ranges));
+    } else if (options.failsafe == "centre") {
+      controller.write(rest);
     }
-    return options.failsafe == "centre" && controller.write(rest);
   };
   observer.listen([&](const line::Stretch &stretch) {
-    const bool written = stretch.isFrame() && show(stretch.endUs());
-    latency.passed(stretch.characters.size(), written && options.latency);
+    if (stretch.isFrame()) {
+      show(stretch.endUs());
+    }
   });
   SilenceNote silence(source.name(), "frames");
   input->run(
-      [&](const line::Character &character) {
-        latency.read();
-        observer.put(character);
-      },
+      [&](const line::Character &character) { observer.put(character); },
       [&](uint64_t nowUs) {
         observer.idleUntil(input->knownUs());
         show(nowUs);
         silence.tick(nowUs, observer.counters().frames > 0);
-        latency.tick();
       });
-  if (options.latency) {
-    std::fprintf(stderr, "%s\n", latency.text("event").c_str());
-  }
   if (options.failsafe == "centre") {
     controller.write(rest);
     std::this_thread::sleep_for(TimeToRead);
@@ -208,8 +200,6 @@ void addJoystick(CLI::App &app) {
               "without a link, centre all axes and close the throttle, or hold them (centre)")
       .oneOf({"centre", "hold"})
       .type("centre|hold");
-  subcommand.flag("--latency", options->latency,
-                  "print at the end the time from reading a frame's last byte to the event");
   subcommand.footer(
       "Channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
       "for games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how "

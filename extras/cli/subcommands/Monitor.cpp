@@ -71,8 +71,6 @@ class Page {
       _paused = false;
     } else if (key == ' ') {
       _paused = !_paused;
-    } else if (key == 't' || key == 'T') {
-      _sensors = !_sensors;
     } else if (key == '?' || key == 'h') {
       _help = true;
     }
@@ -82,7 +80,6 @@ class Page {
     if (!_paused) {
       _view = _watch.view(nowUs);
     }
-    _view.showsSensors = _sensors;
     const char *const note = _paused ? "PAUSED: space continues" : _ended ? "ENDED: q quits" : "";
     _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
   }
@@ -93,7 +90,6 @@ class Page {
   uint64_t _nextUs = 0;
   bool _paused = false;
   bool _help = false;
-  bool _sensors = false;
   bool _quit = false;
   bool _ended = false;
 };
@@ -203,9 +199,9 @@ void addMonitor(CLI::App &app) {
   options->sensors = std::make_unique<SensorOption>(subcommand);
   subcommand.flag("--json", options->json, "JSON lines in place of the page: one a second, and one at each change");
   subcommand.footer(
-      "Keys: q quits, r resets marks and counters, space pauses, t shows the sensors if the page has no room for "
-      "everything, ? helps. The page stays after the line has ended, until --seconds are over. If standard output is "
-      "not a terminal, it prints a line every second, and one when the state changes.");
+      "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays after the line has ended, until "
+      "--seconds are over. If standard output is not a terminal, it prints a line every second, and one when the state "
+      "changes.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

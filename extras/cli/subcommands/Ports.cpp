@@ -2,8 +2,11 @@
 
 #include <libserialport.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/Json.h"
@@ -37,53 +40,47 @@ constexpr KnownPort KnownPorts[] = {
     {0x10C4, 0xEA60, "CP210x: no setting inverts it; put an inverter in front of RXD"},
 };
 
-const char *known(sp_port *port) {
-  int vendor = 0;
-  int product = 0;
-  if (sp_get_port_transport(port) != SP_TRANSPORT_USB || sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) {
-    return "";
-  }
-  for (const KnownPort &each : KnownPorts) {
-    if (each.vendor == vendor && (each.product == product || each.product == AnyProduct)) {
-      return each.what;
-    }
-  }
-  return "";
-}
-
 std::string textOf(const char *text) {
   return text != nullptr ? text : "";
 }
 
-std::string usbText(sp_port *port) {
-  int vendor = 0;
-  int product = 0;
-  if (sp_get_port_transport(port) != SP_TRANSPORT_USB || sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) {
-    return "";
+// What the system tells about a port.
+struct Port {
+  explicit Port(sp_port *port) : device(sp_get_port_name(port)), description(textOf(sp_get_port_description(port))) {
+    isUsb =
+        sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK;
+    serial = isUsb ? textOf(sp_get_port_usb_serial(port)) : "";
   }
-  char ids[24];
-  std::snprintf(ids, sizeof ids, "USB %04x:%04x", static_cast<unsigned>(vendor), static_cast<unsigned>(product));
-  const std::string serial = textOf(sp_get_port_usb_serial(port));
-  return ids + (serial.empty() ? "" : ", serial number " + serial);
-}
 
-Json json(sp_port *port) {
-  const std::string device = sp_get_port_name(port);
-  Json json("port");
-  json.text("name", device).text("description", textOf(sp_get_port_description(port)));
+  const char *known() const {
+    const auto *const found = std::find_if(std::begin(KnownPorts), std::end(KnownPorts), [this](const KnownPort &each) {
+      return isUsb && each.vendor == vendor && (each.product == product || each.product == AnyProduct);
+    });
+    return found == std::end(KnownPorts) ? "" : found->what;
+  }
+
+  std::string device;
+  std::string description;
+  bool isUsb = false;
   int vendor = 0;
   int product = 0;
-  if (sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK) {
-    json.text("usb_vendor", line::format("%04x", static_cast<unsigned>(vendor)))
-        .text("usb_product", line::format("%04x", static_cast<unsigned>(product)))
-        .text("serial_number", textOf(sp_get_port_usb_serial(port)))
-        .text("known_as", known(port));
+  std::string serial;
+};
+
+Json json(const Port &port) {
+  Json json("port");
+  json.text("name", port.device).text("description", port.description);
+  if (port.isUsb) {
+    json.text("usb_vendor", line::format("%04x", static_cast<unsigned>(port.vendor)))
+        .text("usb_product", line::format("%04x", static_cast<unsigned>(port.product)))
+        .text("serial_number", port.serial)
+        .text("known_as", port.known());
   }
-  const std::optional<unsigned> ms = line::latencyMs(line::latencyFile(device));
+  const std::optional<unsigned> ms = line::latencyMs(line::latencyFile(port.device));
   if (ms) {
     json.number("latency_ms", *ms);
   }
-  return json.flag("permission", line::mayOpen(device));
+  return json.flag("permission", line::mayOpen(port.device));
 }
 
 // Returns advice for a port that holds bytes back. Ports that sbus opens itself are set to 1 ms.
@@ -97,15 +94,17 @@ void addLine(std::string &text, const std::string &line) {
   text += line.empty() ? "" : "    " + line + "\n";
 }
 
-std::string describe(sp_port *port) {
-  const std::string device = sp_get_port_name(port);
-  const std::string description = textOf(sp_get_port_description(port));
-  const bool isName = device.find(description) != std::string::npos;
-  std::string text = device + (isName ? "" : "  " + description) + "\n";
-  addLine(text, usbText(port));
-  addLine(text, known(port));
-  addLine(text, latencyText(device));
-  addLine(text, line::mayOpen(device) ? "" : "no permission: sbus doctor " + device + " says what to do");
+std::string describe(const Port &port) {
+  const bool isName = port.device.find(port.description) != std::string::npos;
+  std::string text = port.device + (isName ? "" : "  " + port.description) + "\n";
+  if (port.isUsb) {
+    const std::string serial = port.serial.empty() ? "" : ", serial number " + port.serial;
+    addLine(text, line::format("USB %04x:%04x%s", static_cast<unsigned>(port.vendor),
+                               static_cast<unsigned>(port.product), serial.c_str()));
+  }
+  addLine(text, port.known());
+  addLine(text, latencyText(port.device));
+  addLine(text, line::mayOpen(port.device) ? "" : "no permission: sbus doctor " + port.device + " says what to do");
   return text;
 }
 
@@ -119,12 +118,24 @@ void run(bool asJson) {
     std::fprintf(stderr, "no serial port; plug the adapter in\n");
   }
   for (size_t i = 0; ports[i] != nullptr; i++) {
-    write(asJson ? json(ports[i]).line() : describe(ports[i]));
+    write(asJson ? json(Port(ports[i])).line() : describe(Port(ports[i])));
   }
   flush();
 }
 
 }  // namespace
+
+std::vector<std::string> portNames() {
+  std::vector<std::string> names;
+  sp_port **ports = nullptr;
+  if (sp_list_ports(&ports) == SP_OK) {
+    for (size_t i = 0; ports[i] != nullptr; i++) {
+      names.push_back(sp_get_port_name(ports[i]));
+    }
+    sp_free_port_list(ports);
+  }
+  return names;
+}
 
 void addPorts(CLI::App &app) {
   Subcommand subcommand(app, "ports", "lists the serial ports, and what is known about each");

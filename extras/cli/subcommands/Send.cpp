@@ -2,11 +2,17 @@
 
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "cli/Sending.h"
+#include "cli/Destination.h"
+#include "cli/Input.h"
 #include "cli/bridge/Bridge.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
+#include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 
 namespace tool {
@@ -15,22 +21,87 @@ namespace {
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Playback::RealTime, Rows::Sent), sending(subcommand), range(subcommand) {
+      : source(subcommand, Playback::RealTime, Rows::Sent), range(subcommand) {
     source.addRows(subcommand);
   }
 
   SourceOption source;
-  Sending sending;
   RangeOption range;
+  std::string to;       // a port; empty: a pseudo-terminal
   double periodMs = 9;  // the paper's receiver
   double speed = 1;
   Option speedOption;
 };
 
+// Collects back-to-back characters to send them in one piece: sent singly they would be separated by silences.
+class Bursts {
+ public:
+  explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}
+
+  void put(const line::Character &character) {
+    _lastEndUs = character.endUs;
+    if (!character.bad) {
+      _bytes.push_back(character.value);
+    }
+  }
+
+  // Returns the burst if it is complete; otherwise nothing.
+  std::vector<uint8_t> take(uint64_t nowUs) {
+    const bool ready = nowUs >= _lastEndUs + 2 * _characterUs || _bytes.size() >= BurstMax;
+    return ready ? std::exchange(_bytes, {}) : std::vector<uint8_t>();
+  }
+
+ private:
+  static constexpr size_t BurstMax = 64;
+
+  uint32_t _characterUs;
+  std::vector<uint8_t> _bytes;
+  uint64_t _lastEndUs = 0;
+};
+
+// Sends this line. On a pseudo-terminal, first waits for a reader. Throws std::runtime_error.
+void sendAll(Input &input, const std::string &to) {
+  input.check();
+  Destination destination(to, input.settings());
+  if (!destination.waitForReader(input.seconds())) {
+    return;
+  }
+  std::fputs("sending; Ctrl-C ends it\n", stderr);
+  unsigned long sent = 0;
+  unsigned long lost = 0;
+  unsigned long bad = 0;
+  Bursts bursts(input.settings().characterUs());
+  input.run(
+      [&](const line::Character &character) {
+        bad += character.bad;
+        bursts.put(character);
+      },
+      [&](uint64_t nowUs) {
+        const std::vector<uint8_t> bytes = bursts.take(nowUs);
+        if (!bytes.empty()) {
+          const size_t count = destination.send(nowUs, bytes);
+          sent += count;
+          lost += bytes.size() - count;
+          if (destination.isGone()) {
+            input.end();
+          }
+        }
+      });
+  destination.finish();
+  const std::string summary =
+      std::to_string(sent) + " characters sent" +
+      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow or gone" : "") +
+      (bad > 0 ? "; " + std::to_string(bad) + " with errors left out: no port can send them" : "");
+  std::fprintf(stderr, "%s\n", summary.c_str());
+  if (destination.isGone()) {
+    throw std::runtime_error(to + ": no program reads it any longer; start the reader, then this again");
+  }
+}
+
 void sendLive(const Options &options) {
   BridgeOptions unchanged;
   Receiver receiver(options.source);
-  Bridge bridge(unchanged, receiver, nullptr, options.sending.to());
+  Bridge bridge(unchanged, receiver, nullptr, options.to);
   if (bridge.waitForReader()) {
     std::fprintf(stderr, "sending; Ctrl-C ends it\n");
     bridge.run();
@@ -56,7 +127,7 @@ void run(Options &options) {
   }
   const std::unique_ptr<Input> input = options.source.open();
   input->setSpeed(options.speed);
-  options.sending.run(*input);
+  sendAll(*input, options.to);
 }
 
 }  // namespace
@@ -64,11 +135,13 @@ void run(Options &options) {
 void addSend(CLI::App &app) {
   Subcommand subcommand(app, "send", "sends a recording, the built-in receiver, or values such as ch3=172");
   const auto options = std::make_shared<Options>(subcommand);
+  subcommand.option("--port", options->to, "a serial port; without it, a pseudo-terminal (prints its name)")
+      .type("DEVICE");
   subcommand.option("--period", options->periodMs, "the frame period of values and slow rows, in ms (9)")
       .between(1, 1000)
       .type("MS");
   options->speedOption =
-      subcommand.option("--speed", options->speed, "send this many times as fast (1)").between(0.001, 1000).type("N");
+      subcommand.option("--speed", options->speed, "playback speed (1)").between(0.001, 1000).type("N");
   subcommand.footer(
       "Of a live line only frames are sent, and none older than 0.1 s: failsafe frames take their place. "
       "Values: ch1 to ch16 are raw, 0 to 2047, microseconds (1500us), percent (-50%), on (the high end) or off; "

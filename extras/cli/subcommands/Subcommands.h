@@ -2,11 +2,17 @@
 // that says what happened, where, and what to do.
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace CLI {
 class App;
 }
 
 namespace tool {
+
+// Returns "/dev/ttyUSB0" and the like; nothing if the system does not list its ports.
+std::vector<std::string> portNames();
 
 void addPorts(CLI::App &app);
 void addMonitor(CLI::App &app);

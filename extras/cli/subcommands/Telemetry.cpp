@@ -45,8 +45,8 @@ class TelemetryView {
       throw std::runtime_error(
           source + (telemetry.rejectedGroups() > 0 ? ": the bytes between the frames are not their slots"
                     : telemetry.announced()
-                        ? ": frames came, and no slot after them: is the receiver in a mode with telemetry?"
-                        : ": frames came, and none announced a telemetry slot: this is not an S.BUS2 line"));
+                        ? ": no telemetry slot follows the frames: is the receiver in a mode with telemetry?"
+                        : ": no frame announces a telemetry slot: this is not an S.BUS2 line"));
     }
   }
 

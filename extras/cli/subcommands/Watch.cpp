@@ -149,8 +149,8 @@ void addWatch(CLI::App &app) {
       .option("--sync", options->syncS, "how often to write a file to the disk itself, in seconds; 0: never (1)")
       .between(0, 3600)
       .type("S");
-  subcommand.option("--keep", options->keep, "how many files to keep, the newest (100)").between(1, 99999).type("N");
-  subcommand.option("--most", options->mostMb, "how many megabytes to keep (1000)").between(0.001, 1e6).type("MB");
+  subcommand.option("--keep", options->keep, "keep at most N files, and delete the oldest (100)").between(1, 99999).type("N");
+  subcommand.option("--most", options->mostMb, "keep at most MB megabytes (1000)").between(0.001, 1e6).type("MB");
   subcommand.flag("--json", options->json, "JSON lines: the events");
   subcommand.footer(
       "A condition compares (<, <=, >, >=, =, !=) ch1 to ch32 with 1500, 1500us or 50%, age with a time such as "

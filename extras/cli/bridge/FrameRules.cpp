@@ -1,11 +1,14 @@
-#include "cli/bridge/ChannelRules.h"
+#include "cli/bridge/FrameRules.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "line/file/Units.h"
+#include "cli/options/CsvColumn.h"
 #include "cli/options/Scanner.h"
+#include "line/file/TableReader.h"
+#include "line/file/Units.h"
+#include "line/recording/Words.h"
 
 namespace tool {
 
@@ -31,7 +34,10 @@ size_t newChannel(Scanner &scanner, const std::vector<Rule> &rules, const char *
 
 }  // namespace
 
-ChannelRules::ChannelRules(Subcommand &subcommand) {
+FrameRules::FrameRules(Subcommand &subcommand) {
+  _trainerOption =
+      subcommand.option("--trainer", _trainer, "while this channel is on, take CH1 to CH4, or these, from --second");
+  _trainerOption.type("CH[=CH,...]");
   subcommand.option("--map", _map, "the channels of SOURCE that become CH1, CH2 ...; -3: reversed").type("CH,CH,...");
   subcommand
       .option("--mix", _mixTexts, "a sum of parts of the travel, such as ch1=ch1+0.5*ch2-10%; once for each channel")
@@ -40,10 +46,15 @@ ChannelRules::ChannelRules(Subcommand &subcommand) {
   subcommand.option("--limit", _limitTexts, "the ends of a channel, such as ch3=172..1500; once for each channel")
       .once()
       .type("CH=LOW..HIGH");
+  _failsafeOption = subcommand.option(
+      "--failsafe", _failsafe,
+      "without a link, send nothing, the last values, or these values (SOURCE's own, with its flags)");
+  _failsafeOption.type("off|hold|CH=VALUE,...");
 }
 
-void ChannelRules::read(const sbus::Range &range) {
+void FrameRules::read(const sbus::Range &range) {
   _range = range;
+  readTrainer();
   readMap();
   for (const std::string &text : _mixTexts) {
     _mixes.push_back(mixOf(text));
@@ -51,9 +62,49 @@ void ChannelRules::read(const sbus::Range &range) {
   for (const std::string &text : _limitTexts) {
     _limits.push_back(limitOf(text));
   }
+  readFailsafe();
 }
 
-void ChannelRules::readMap() {
+void FrameRules::readTrainer() {
+  if (!hasTrainer()) {
+    return;
+  }
+  Scanner scanner("--trainer", _trainer);
+  _switch = scanner.channel(Count) - 1;
+  const bool areNamed = scanner.take("=");
+  do {
+    if (areNamed) {
+      _handedOver.push_back(scanner.channel(Count) - 1);
+    }
+  } while (areNamed && scanner.take(","));
+  _handedOver = areNamed ? _handedOver : std::vector<size_t>{0, 1, 2, 3};
+  scanner.end("a comma or the end");
+}
+
+void FrameRules::readFailsafe() {
+  if (!_failsafeOption.given() || _failsafe == "off" || _failsafe == "hold") {
+    return;
+  }
+  line::forEachBetweenCommas(_failsafe, [&](std::string_view each) {
+    const std::string word(each);
+    const unsigned channel = channelOf(line::lower(word.substr(0, word.find('='))));
+    if (channel == 0 || channel > sbus::ProportionalCount) {
+      rejectCommandLine("--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not " + word);
+    }
+    line::FrameValues values;
+    const std::string wrong = line::assign(word, _range, values);
+    if (!wrong.empty()) {
+      rejectCommandLine("--failsafe: " + wrong);
+    }
+    if (std::any_of(_failsafeValues.begin(), _failsafeValues.end(),
+                    [&](const auto &other) { return other.first == channel - 1; })) {
+      rejectCommandLine("--failsafe: " + line::quoted(word) + " sets a channel twice; leave one of them out");
+    }
+    _failsafeValues.emplace_back(channel - 1, values.raw[channel - 1]);
+  });
+}
+
+void FrameRules::readMap() {
   Scanner scanner("--map", _map);
   double number = 0;
   for (bool more = !_map.empty(); more; more = scanner.take(",")) {
@@ -67,7 +118,7 @@ void ChannelRules::readMap() {
   scanner.end("a comma and a channel, such as ,-3,");
 }
 
-ChannelRules::Mix ChannelRules::mixOf(const std::string &text) const {
+FrameRules::Mix FrameRules::mixOf(const std::string &text) const {
   Scanner scanner("--mix", text);
   Mix mix{newChannel(scanner, _mixes, "a channel that no other --mix sets")};
   double sign = scanner.take("-") ? -1 : 1;
@@ -88,7 +139,7 @@ ChannelRules::Mix ChannelRules::mixOf(const std::string &text) const {
   return mix;
 }
 
-ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
+FrameRules::Limit FrameRules::limitOf(const std::string &text) const {
   Scanner scanner("--limit", text);
   Limit limit{newChannel(scanner, _limits, "a channel that no other --limit has"), 0, 0};
   limit.low = scanner.value(_range);
@@ -107,11 +158,11 @@ ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
 }
 
 // Mirrors the value at the centre, in proportion to the lengths of the two sides, also beyond the ends.
-void ChannelRules::reverse(uint16_t &raw) const {
+void FrameRules::reverse(uint16_t &raw) const {
   raw = sbus::fromNormalised(static_cast<int16_t>(-sbus::toNormalised(raw, _range)), _range);
 }
 
-void ChannelRules::apply(uint16_t *raw) const {
+void FrameRules::apply(uint16_t *raw) const {
   std::array<uint16_t, Count> from;
   std::copy_n(raw, Count, from.begin());
   for (size_t i = 0; i < _sources.size(); i++) {
@@ -131,6 +182,34 @@ void ChannelRules::apply(uint16_t *raw) const {
   for (const Limit &limit : _limits) {
     raw[limit.channel] = std::min(std::max(raw[limit.channel], limit.low), limit.high);
   }
+}
+
+void FrameRules::train(line::Values &teacher, const line::Values &pupil) const {
+  constexpr int16_t OnAbove = 500;  // +50 %: the middle of a three-position switch is off
+  if (sbus::toNormalised(teacher.raw[_switch], _range) > OnAbove) {
+    for (const size_t channel : _handedOver) {
+      teacher.raw[channel] = pupil.raw[channel];
+    }
+  }
+}
+
+bool FrameRules::applyFailsafe(sbus::LinkState state, bool isExtra, line::Values &values) {
+  line::Values &held = _held[isExtra ? 1 : 0];
+  const bool isStale = state == sbus::LinkState::Stale;
+  if (!isStale && state != sbus::LinkState::Failsafe) {
+    held = values;
+    return true;
+  }
+  if (_failsafe == "hold" && held.count > 0) {
+    values.raw = held.raw;
+    values.switches = held.switches;
+  }
+  for (const auto &[channel, raw] : _failsafeValues) {
+    values.raw[channel] = raw;
+  }
+  values.lostFrame = values.lostFrame || isStale;
+  values.failsafe = values.failsafe || isStale || !_failsafe.empty();
+  return _failsafe != "off";
 }
 
 }  // namespace tool
