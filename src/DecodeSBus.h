@@ -318,24 +318,24 @@ class DecodeSBusOf : protected Polling {
   }
 
   // Polls, and once more if the port has called back meanwhile.
-  void pollAll(bool isPrompt) {
+  void pollAll(bool fromCallback) {
     while (_port.enter()) {
-      poll(sbus::Listener::Calls && isPrompt);
+      poll(sbus::Listener::Calls && fromCallback);
       if (!_port.leave()) {
         return;
       }
-      isPrompt = true;
+      fromCallback = true;
     }
   }
 
   // Reads only what is pending when it is called: later bytes may follow a loss. Asked for more than available(), the
   // STM32L0's core would write past the end of the buffer.
-  void poll(bool isPrompt) {
+  void poll(bool fromCallback) {
     uint32_t now = micros();
     const int found = _port.available();
     if (Events::wantsTimes()) {
       _finder.events().asked(found, micros());
-    } else if (found > 0 && !isPrompt) {
+    } else if (found > 0 && !fromCallback) {
       now = micros();  // an interrupt may have delayed available()
     }
     if (found <= 0) {
@@ -346,11 +346,11 @@ class DecodeSBusOf : protected Polling {
     }
     const unsigned bytes = static_cast<unsigned>(found);
     if (_port.mayHaveLostOldest(bytes)) {
-      _finder.broken();  // the bytes that wait stand after the loss
+      _finder.bytesLost();  // the bytes that wait stand after the loss
     }
     int split = 0;
     if (_port.tellsIdle()) {
-      split = _finder.pollIdling(bytes, now, isPrompt, _port.wasIdle());
+      split = _finder.pollIdling(bytes, now, fromCallback, _port.wasIdle());
     } else {
       _finder.poll(bytes, now);
     }
@@ -379,7 +379,7 @@ class DecodeSBusOf : protected Polling {
     if (_port.losesNewest() && bytes > _port.half()) {
       int more = _port.available();
       if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
-        _finder.broken();
+        _finder.bytesLost();
         while (more > 0) {
           const int count = readBytes(more);
           if (count <= 0) {
@@ -397,7 +397,7 @@ class DecodeSBusOf : protected Polling {
   // parts of two may have been joined, since the silence between them seemed short.
   void updateLink(const uint8_t *frame) {
     const sbus::Counters &counters = _finder.counters();
-    const bool hasNone = Format::Withholds && counters.lostFrames == counters.frames;
+    const bool hasNone = Format::ZeroMeansLost && counters.lostFrames == counters.frames;
     _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
     if (_link.took(_finder.frameTime())) {
       _link.makeOld();

@@ -83,10 +83,10 @@ void SBus2Sensor::answerWithin(int32_t wait) {
   answer(alone.start(until > 0 ? _finder.events().due() : now));
 }
 
-__attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
+__attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) {
   sbus::Answers &answers = _finder.events();
   const bool wasFresh = _isFresh;  // the callback before: two that are equally late would look consistent
-  _isFresh = isPrompt && sbus::SlotTimer::isFresh();
+  _isFresh = fromCallback && sbus::SlotTimer::isFresh();
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
   } else if (answers.found() > 0) {
@@ -95,12 +95,12 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
-  const bool isCalled = isPrompt && _isTimed;  // so no poll comes between two calls
+  const bool isCalled = fromCallback && _isTimed;  // so no poll comes between two calls
   const bool isKnown = answers.found() > 0 && !_isLate && (wasFresh || !isCalled);
-  const sbus::HandOver handOver = isKnown ? _handOver : sbus::HandOver::Unknown;
+  const sbus::ReceiveNotice notice = isKnown ? _notice : sbus::ReceiveNotice::Unknown;
   const uint32_t before = _finder.pollBefore();
-  const sbus::End end = isCalled ? sbus::promptEndOf(handOver, answers.found(), before, answers.by())
-                                 : sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), before, answers.by());
+  const sbus::FrameEnd end = isCalled ? sbus::frameEndOfCallback(notice, answers.found(), before, answers.by())
+                                 : sbus::SlotTimer::endOf(_isTimed, notice, answers.found(), before, answers.by());
   const uint32_t apart = end.latest - end.earliest;
   const uint32_t frames = _finder.counters().frames;
   constexpr uint32_t Widest = 1000;  // us: while no frame is expected, polls are farther apart
@@ -119,14 +119,14 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
 }
 
 // If the port calls meanwhile, what it has found is planned afterwards.
-void SBus2Sensor::receive(bool isPrompt) {
+void SBus2Sensor::receive(bool fromCallback) {
   while (_port.enter()) {
-    poll(sbus::Listener::Calls && isPrompt);
-    plan(isPrompt);  // inlined: on an AVR the polls must not be farther apart
+    poll(sbus::Listener::Calls && fromCallback);
+    plan(fromCallback);  // inlined: on an AVR the polls must not be farther apart
     if (!_port.leave()) {
       return;
     }
-    isPrompt = true;
+    fromCallback = true;
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "DecodeSBusTelemetry.h"
-#include "port/HandOver.h"
+#include "port/ReceiveNotice.h"
 #include "port/SlotTimer.h"
 #include "sbus2/Answers.h"
 #include "sbus2/FrameRhythm.h"
@@ -77,7 +77,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
       : Decoder(port),
         _stream(port),
         _start(start<Port>),
-        _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+        _notice(sbus::noticeOf(&port, &port, sbus::Priority<2>())) {}
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
@@ -85,7 +85,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
       : Decoder(port, rx, tx),
         _stream(port),
         _start(start<Port>),
-        _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+        _notice(sbus::noticeOf(&port, &port, sbus::Priority<2>())) {}
 
   /// Remembers `port`, and uses its TX as the line itself, without a diode; RX stays free:
   /// `SBus2Sensor dSBus(Serial1, sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do
@@ -170,8 +170,8 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
   void start(unsigned long baud);
   void onReceive();
   static void due(void *sensor);
-  void receive(bool isPrompt);
-  void plan(bool isPrompt);
+  void receive(bool fromCallback);
+  void plan(bool fromCallback);
   void answer(uint32_t now);
   void armTimer();
   void checkClock(bool isLate);
@@ -190,5 +190,5 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
   uint32_t _heardBy = 0;      // us: no character that was read has come later
   int16_t _waiting = NoLook;  // characters that waited shortly before the slot that is due
   uint32_t _timedFrame = 0;   // number of the last frame with a known end
-  const sbus::HandOver _handOver;
+  const sbus::ReceiveNotice _notice;
 };

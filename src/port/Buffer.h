@@ -7,7 +7,7 @@
 
 #include "../sbus/LineTiming.h"
 #include "Format.h"
-#include "HandOver.h"
+#include "ReceiveNotice.h"
 
 namespace sbus {
 
@@ -44,30 +44,30 @@ constexpr uint8_t WantedBurst = 8;
 
 // Tells an ESP32 how many characters make a burst. Cores before 2.0.3 cannot.
 template <typename Port>
-auto limitBursts(Port &port, uint8_t burst, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
+auto limitBursts(Port &port, uint8_t burst, Priority<1>) -> decltype(port.setRxFIFOFull(0), void()) {
   port.setRxFIFOFull(burst);
 }
 // Does nothing: other ports keep their burst.
 template <typename Port>
-void limitBursts(Port &, uint8_t, Choice<0>) {
+void limitBursts(Port &, uint8_t, Priority<0>) {
 }
 
 // Gives arduino-pico's port a queue of WantedBuffer. Returns its size.
 template <typename Port>
-auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
+auto enlarge(Port &port, Priority<1>) -> decltype(port.setFIFOSize(0), 0u) {
   port.setFIFOSize(WantedBuffer);
   return WantedBuffer;
 }
 // Returns the smallest size: arduino-pico's SerialPIO has the size that the sketch gave it, which is unknown here.
 template <typename Port>
-unsigned enlarge(Port &, Choice<0>) {
+unsigned enlarge(Port &, Priority<0>) {
   return SmallestBuffer;
 }
 
 // Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h).
-constexpr uint8_t idleCharacters(HandOver handOver) {
-  return handOver == HandOver::EachCharacter || handOver == HandOver::Fifo ? 0
-         : handOver == HandOver::Dma16                                     ? 1
+constexpr uint8_t idleCharacters(ReceiveNotice notice) {
+  return notice == ReceiveNotice::EachCharacter || notice == ReceiveNotice::Fifo ? 0
+         : notice == ReceiveNotice::Dma16                                     ? 1
                                                                            : MostIdleCharacters;
 }
 

@@ -1,6 +1,6 @@
 #include "DmaSender.h"
 
-#include "HandOver.h"
+#include "ReceiveNotice.h"
 
 #if defined(SBUS_DMA_SENDER)
 

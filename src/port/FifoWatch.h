@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "HandOver.h"
+#include "ReceiveNotice.h"
 
 namespace sbus {
 
@@ -22,7 +22,8 @@ class FifoWatch {
   // between `from` and `to`, the FIFO held `fill`.
   void poll(unsigned found, uint32_t by, uint32_t from, unsigned fill, uint32_t to) {
     if (found != 0) {
-      _end = found == _count && by - _by <= LongestWait ? endOf(HandOver::EachCharacter, 1, _before, _by) : unknown(by);
+      _end = found == _count && by - _by <= LongestWait ? frameEndOf(ReceiveNotice::EachCharacter, 1, _before, _by)
+                                                        : unknown(by);
       _count = 0;
     }
     if (fill < _fill || to - _from > Close) {
@@ -37,11 +38,11 @@ class FifoWatch {
   }
 
   // Returns when the last of the characters came that the newest poll has found, if it has found any.
-  End end() const { return _end; }
+  FrameEnd end() const { return _end; }
 
   // Returns bounds that are good enough to look for the next frame, but too wide to answer this one: a port waits for
   // two more characters, its driver's interrupt is late, and so is the poll.
-  static End unknown(uint32_t by) { return {by - 1000, by}; }
+  static FrameEnd unknown(uint32_t by) { return {by - 1000, by}; }
 
  private:
   static constexpr uint32_t Close = 100;         // us between looks: at most one character, and one burst, came
@@ -53,7 +54,7 @@ class FifoWatch {
   uint32_t _since = 0;  // the looks since then have missed nothing
   unsigned _count = 0;  // of the FIFO when its last character came between _before and _by; 0: not known
   uint32_t _before = 0, _by = 0;
-  End _end = {0, 0};
+  FrameEnd _end = {0, 0};
 };
 
 }  // namespace sbus

@@ -10,9 +10,9 @@ namespace sbus {
 
 // Orders overloads: of those that compile, the one with the highest number is called.
 template <int Number>
-struct Choice : Choice<Number - 1> {};
+struct Priority : Priority<Number - 1> {};
 template <>
-struct Choice<0> {};
+struct Priority<0> {};
 
 /// The core's SERIAL_8E2, a macro or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1: they
 /// see the second stop bit as an idle line.

@@ -7,7 +7,7 @@
 
 #include "../sbus/Barrier.h"
 #include "Core.h"
-#include "HandOver.h"
+#include "ReceiveNotice.h"
 #include "Port.h"
 
 namespace sbus {
@@ -67,9 +67,9 @@ class NoSlotTimer {
 
   // Notes that a poll has found `found` bytes by the time `by`, us.
   static void polled(unsigned, uint32_t) {}
-  // Returns when the last of them came; see sbus::endOf(). `isTimed`: due() has polled, not loop().
-  static End endOf(bool, HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
-    return sbus::endOf(handOver, found, before, by);
+  // Returns when the last of them came; see sbus::frameEndOf(). `isTimed`: due() has polled, not loop().
+  static FrameEnd endOf(bool, ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
+    return sbus::frameEndOf(notice, found, before, by);
   }
 };
 

@@ -63,7 +63,7 @@ class SlotTimer : public NoSlotTimer {
   static bool send(const uint8_t *characters, size_t size);
 
   static void polled(unsigned found, uint32_t by);
-  static End endOf(bool isTimed, HandOver, unsigned found, uint32_t, uint32_t by) {
+  static FrameEnd endOf(bool isTimed, ReceiveNotice, unsigned found, uint32_t, uint32_t by) {
     return isTimed && found != 0 ? _watch.end() : FifoWatch::unknown(by);
   }
 

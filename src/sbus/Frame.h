@@ -145,7 +145,7 @@ struct Frame16 {
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
   static constexpr bool HasSlots = true;               ///< telemetry slots may follow: S.BUS2
   static constexpr bool HasExtra = false;              ///< frames with extra channels are accepted
-  static constexpr bool Withholds = false;             ///< unpack() leaves the channels of some lost frames alone
+  static constexpr bool ZeroMeansLost = false;             ///< unpack() leaves the channels of some lost frames alone
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
   /// of 3.
@@ -168,7 +168,7 @@ struct Frame24 {
   static constexpr uint8_t OtherSize = FrameSize;      ///< bytes of a frame of the other format
   static constexpr bool HasSlots = false;              ///< no telemetry
   static constexpr bool HasExtra = false;              ///< no extra channels
-  static constexpr bool Withholds = false;             ///< see Frame16
+  static constexpr bool ZeroMeansLost = false;             ///< see Frame16
   static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
   /// Returns `count`: no receiver spreads these frames.
   static constexpr unsigned spread(unsigned count) { return count; }
@@ -191,7 +191,7 @@ struct Frame16Extra : Frame16 {
 /// set a flag: github.com/ArduPilot/ardupilot/issues/9400, 25169. These frames count as lost, and their channels are
 /// not handed out.
 struct Frame16NoPulses : Frame16 {
-  static constexpr bool Withholds = true;  ///< see Frame16
+  static constexpr bool ZeroMeansLost = true;  ///< see Frame16
   /// Returns true if CH1..CH4 of the frame are 0: below any end that a radio lets four sticks have.
   static bool isZero(const uint8_t *frame);
   /// Returns the flags of a frame.

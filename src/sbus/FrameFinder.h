@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "Acquisition.h"
+#include "FrameSizeCheck.h"
 #include "Counters.h"
 #include "Frame.h"
 #include "FrameBuffer.h"
@@ -74,18 +74,18 @@ class FrameFinderOf : private Events {
   /// `idleCharacters`: how long the port waits for more bytes before it hands over less than a burst.
   void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters) {
     _timing.reset(now, characterTime, idleCharacters);
-    _acquisition.reset();
+    _sizeCheck.reset();
     _variant = UnknownVariant;
     _aligned = false;
     _hasBreaks = false;
     _unread = 0;
     _buffer.clear();
-    startOver(rules::FirstOffBy);
+    startOver(rules::FirstDistance);
     _counters = Counters();
     Events::begin();
   }
 
-  /// Returns where to write the next room() bytes. It changes with each received() and broken().
+  /// Returns where to write the next room() bytes. It changes with each received() and bytesLost().
   uint8_t *space() { return _buffer.space(); }
 
   /// Returns how many bytes fit there, 1 or more.
@@ -95,41 +95,41 @@ class FrameFinderOf : private Events {
   /// received(): most polls then cost some 100 cycles a frame less.)
   SBUS_IN_LINE void poll(unsigned found, uint32_t now) {
     startPoll(found);
-    if (LineTiming::ClockRuns && _owed) {
+    if (LineTiming::ClockRuns && _lossFollows) {
       lost(_counters.shortfalls);
     }
     const Silence silence = _timing.silenceBefore<Format>(found, now);
     if (silence == Silence::Long) {
-      startOver(rules::FirstOffBy);
+      startOver(rules::FirstDistance);
     } else if (silence >= Silence::Gap) {
       gapBefore(silence);
     } else if (silence == Silence::Likely) {
       likelyGap();
     }
-    if (_timing.mayFallShort()) {
+    if (_timing.mayHaveFoundTooFew()) {
       checkFound();
     }
-    _acquisition.characters(found);
+    _sizeCheck.characters(found);
   }
 
-  /// Likewise, for a port that tells when the line was idle. `isPrompt`: the port has just handed the bytes over and
-  /// called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to
+  /// Likewise, for a port that tells when the line was idle. `fromCallback`: the port has just handed the bytes over
+  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to
   /// read before likelyGap(), or 0.
   ///
   /// The port does not tell where half of its ring ends. There only the time can show a gap, and other work may have
   /// delayed the call. So such a gap is certain only after a frame's number of characters, and is not looked for
   /// between two idle times where a frame is due in time: parts of two frames are a frame period apart.
-  SBUS_IN_LINE int pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
+  SBUS_IN_LINE int pollIdling(unsigned found, uint32_t now, bool fromCallback, bool isIdle) {
     startPoll(found);
     const int all = _buffer.filled() + static_cast<int>(found);
     const bool isWhole = all == Size && isIdle;
     int before = 0;
     if (!isDue() || (!isWhole && all >= Size) || !isInTime(now)) {
-      before = likelyGapAt(silenceBefore(found, isPrompt ? now : _timing.lastPoll()), isWhole);
+      before = likelyGapAt(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
     }
     _timing.take(now);
     _unread = 0;
-    _acquisition.characters(found);
+    _sizeCheck.characters(found);
     return before;
   }
 
@@ -139,7 +139,7 @@ class FrameFinderOf : private Events {
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
   const uint8_t *idle(uint32_t now) {
     _timing.empty(now);
-    return _buffer.filled() < Format::Size ? nullptr : settle(_timing.template silenceAfter<Format>());
+    return _buffer.filled() < Format::Size ? nullptr : acceptAfterSilence(_timing.template silenceAfter<Format>());
   }
 
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
@@ -148,7 +148,7 @@ class FrameFinderOf : private Events {
       gapBefore(Silence::Gap);
       return nullptr;
     }
-    return settle(Silence::Gap);
+    return acceptAfterSilence(Silence::Gap);
   }
 
   /// Returns true if the `waiting` bytes need not be read yet: they complete no frame, and no silence shows before
@@ -171,7 +171,7 @@ class FrameFinderOf : private Events {
   }
 
   /// Drops the incoming frame, because the port has lost bytes after the last one received. Counts an overflow.
-  void broken() { lost(_counters.overflows); }
+  void bytesLost() { lost(_counters.overflows); }
 
   /// Returns the receiver of the events.
   Events &events() { return *this; }
@@ -213,14 +213,14 @@ class FrameFinderOf : private Events {
   bool isInTime(uint32_t now) const { return now - _takenBy < _counters.period + LineTiming::LongestStop; }
 
   // After lost bytes, or a silence longer than any frame period, the next character may stand anywhere in a frame.
-  void startOver(int offBy) {
+  void startOver(int distance) {
     const int count = _buffer.filled();
     _counters.discardedBytes += static_cast<unsigned>(count);
     Events::discarded(_buffer.bytes(), count);
     _buffer.clear();
-    _expectedAt = static_cast<int8_t>(-offBy);
-    _owed = false;
-    _acquisition.forget(offBy == rules::FirstOffBy);
+    _expectedAt = static_cast<int8_t>(-distance);
+    _lossFollows = false;
+    _sizeCheck.forget(distance == rules::FirstDistance);
   }
 
   SBUS_IN_LINE void startPoll(unsigned found) {
@@ -241,12 +241,12 @@ class FrameFinderOf : private Events {
     }
     _buffer.markGap(gap);
     if (!Events::seesEachGap()) {
-      _acquisition.forget();
+      _sizeCheck.forget();
     }
-    if (_acquisition.gap(filled, _variant == UnknownVariant)) {
+    if (_sizeCheck.gap(filled, _variant == UnknownVariant)) {
       countUp(_counters.otherSizeFrames);
       _variant = UnknownVariant;
-      _aligned = false;  // out of sync: isUsual() needs a variant
+      _aligned = false;  // out of sync: isExactlyNext() needs a variant
     }
   }
 
@@ -265,9 +265,9 @@ class FrameFinderOf : private Events {
       return isLikely ? _unread : 0;
     }
     if (silence >= LineTiming::LongSilence) {
-      startOver(rules::FirstOffBy);
+      startOver(rules::FirstDistance);
     } else if (silence > _timing.shortestGap() &&
-               (_buffer.gapAt() == filled || _acquisition.isFrame() ||
+               (_buffer.gapAt() == filled || _sizeCheck.isFrame() ||
                 (filled == Size && (isDue() || _buffer.beginsWide())))) {
       gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
     } else if (isLikely) {
@@ -283,11 +283,11 @@ class FrameFinderOf : private Events {
   void checkFound() {
     const int filled = _buffer.filled();
     const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
-    if (_timing.template fallsShort<Format>(_found, missing, _counters.period, _acquisition.isStretched())) {
+    if (_timing.template foundTooFew<Format>(_found, missing, _counters.period, _sizeCheck.isStretched())) {
       if (!LineTiming::ClockRuns || static_cast<int>(_found) < missing) {
         _buffer.markGap(Silence::Likely);
       } else {
-        _owed = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
+        _lossFollows = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
       }
     }
   }
@@ -300,7 +300,7 @@ class FrameFinderOf : private Events {
   }
 
   // Takes a silence after the last byte. Returns the frame that waited for it, or nullptr.
-  const uint8_t *settle(Silence gap) {
+  const uint8_t *acceptAfterSilence(Silence gap) {
     if (gap == Silence::Unknown || (_buffer.gapAt() == _buffer.filled() && _buffer.gap() >= gap)) {
       return nullptr;
     }
@@ -311,7 +311,8 @@ class FrameFinderOf : private Events {
 
   const uint8_t *search(int waiting) {
     const bool isFrame =
-        rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) || scan(waiting);
+        rules::isExactlyNext<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) ||
+        scan(waiting);
     noteEnd(waiting);
     return isFrame ? deliver() : nullptr;
   }
@@ -378,7 +379,7 @@ class FrameFinderOf : private Events {
         }
         countUp(_counters.rejectedByLength);
         Events::rejected(start, verdict.why());
-        step = verdict.next();
+        step = verdict.skip();
         worth = JudgedWorth;
       }
       // At most 24 headers of a poll are judged, as many as characters follow a frame's header.
@@ -430,16 +431,16 @@ class FrameFinderOf : private Events {
 
   // Inlined: a call would make a line of headers cost a fifth more.
   SBUS_IN_LINE Verdict judge(int start, uint8_t variant) {
-    const int offBy = start - _expectedAt;
+    const int distance = start - _expectedAt;
     const bool isFirst = start == 0;
-    const bool isInSync = offBy == 0 && _aligned;
+    const bool isInSync = distance == 0 && _aligned;
     const bool isInTime = _completeAfter - _frameTime < _counters.period + Unsteady;
     return rules::judge(
         Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
                           isFirst ? _buffer.inside() : Silence::Unknown,
                           isFirst && (isInSync && _counters.period != 0 ? isInTime : _buffer.beginsWide()), variant,
-                          _variant, offBy, isInSync},
-        _acquisition);
+                          _variant, distance, isInSync},
+        _sizeCheck);
   }
 
   // Inlined: 13 cycles a frame less.
@@ -480,9 +481,9 @@ class FrameFinderOf : private Events {
   uint8_t _rejected;   // headers rejected in this poll
   uint8_t _unread;     // bytes that waited at the newest poll, and were not read; 0: none
   uint16_t _found;     // bytes that this poll has found
-  bool _owed;          // bytes were lost after those that this poll found
+  bool _lossFollows;          // bytes were lost after those that this poll found
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
-  Acquisition<Format> _acquisition;
+  FrameSizeCheck<Format> _sizeCheck;
   LineTiming _timing;
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then

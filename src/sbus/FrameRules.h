@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "Acquisition.h"
+#include "FrameSizeCheck.h"
 #include "Frame.h"
 #include "LineTiming.h"
 #include "Slots.h"
@@ -32,20 +32,20 @@ class Verdict {
   static constexpr Verdict accept(bool isAligned) { return Verdict(isAligned ? Aligned : Accepted, Rejection::NoEnd); }
   static constexpr Verdict wait() { return Verdict(Open, Rejection::NoEnd); }  ///< the next characters decide
   /// They are not a frame. The next one may begin `next` characters further on, 1 or more.
-  static constexpr Verdict reject(Rejection why, int next = 1) { return Verdict(next, why); }
+  static constexpr Verdict reject(Rejection why, int skip = 1) { return Verdict(next, why); }
 
-  constexpr bool isAccepted() const { return _next < Open; }     ///< accept()
-  constexpr bool isAligned() const { return _next == Aligned; }  ///< accept(true)
-  constexpr bool isOpen() const { return _next == Open; }        ///< wait()
-  constexpr int next() const { return _next; }                   ///< of a rejection
+  constexpr bool isAccepted() const { return _skip < Open; }     ///< accept()
+  constexpr bool isAligned() const { return _skip == Aligned; }  ///< accept(true)
+  constexpr bool isOpen() const { return _skip == Open; }        ///< wait()
+  constexpr int skip() const { return _skip; }                   ///< of a rejection
   constexpr Rejection why() const { return _why; }               ///< of a rejection
 
  private:
   enum : int_fast8_t { Aligned = -2, Accepted = -1, Open = 0 };
 
-  constexpr Verdict(int next, Rejection why) : _next(static_cast<int_fast8_t>(next)), _why(why) {}
+  constexpr Verdict(int skip, Rejection why) : _skip(static_cast<int_fast8_t>(next)), _why(why) {}
 
-  int_fast8_t _next;
+  int_fast8_t _skip;
   Rejection _why;
 };
 
@@ -60,7 +60,7 @@ struct Candidate {
   bool isPlaced;         ///< a wide gap comes before it, or it is in sync and in time: parts of two frames come later
   uint8_t variant;       ///< of its end byte, a row of LineVariants
   uint8_t lineVariant;   ///< of the line, or UnknownVariant
-  int offBy;             ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
+  int distance;          ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
   bool isInSync;         ///< it follows an aligned frame directly
 
   SBUS_IN_LINE bool hasLineVariant() const { return variant == lineVariant; }     ///< has the line's variant
@@ -75,12 +75,12 @@ struct Candidate {
 };
 
 /// The rules, a function each: without a rule its function always returns what test/impairment/RULES says. All but
-/// isUsual() matter only on unusual lines.
+/// isExactlyNext() matter only on unusual lines.
 namespace rules {
 
 constexpr int MostNoise = 4;  ///< characters in a row that may be noise
-/// Candidate::offBy of the first character on a line, or after a long silence.
-constexpr int FirstOffBy = 2;
+/// Candidate::distance of the first character on a line, or after a long silence.
+constexpr int FirstDistance = 2;
 
 /// Returns true if the unused bits of the flags are 0.
 SBUS_IN_LINE bool areFlags(uint8_t byte) {
@@ -118,28 +118,28 @@ SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
 /// the stray one. (isEndByte() instead of the mask costs 52 bytes on a Cortex-M0+.)
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
-  return (c.lineVariant == UnknownVariant || c.offBy != 0) &&
+  return (c.lineVariant == UnknownVariant || c.distance != 0) &&
          (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
 template <typename Format>
-SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
+SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const FrameSizeCheck<Format> &sizeCheck) {
   const int after = c.size() + 1;
-  return c.gapAt == after && acquisition.lastRun() == after && mayHaveStray(c);
+  return c.gapAt == after && sizeCheck.betweenGaps() == after && mayHaveStray(c);
 }
 
 /// Returns true if, before the first frame, the five bytes of its tail may belong to the next frame: a gap follows
 /// them, but no gap comes before it.
 template <typename Format>
-SBUS_IN_LINE bool isDoubtfulTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
-  return !c.hasLineVariant() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
+SBUS_IN_LINE bool isDoubtfulTail(const Candidate<Format> &c, const FrameSizeCheck<Format> &sizeCheck) {
+  return !c.hasLineVariant() && c.gapAt > Format::Size && c.gapAt <= c.size() && sizeCheck.betweenGaps() != c.gapAt;
 }
 
 /// Returns true if its end byte comes twice: noise may precede the true header, or a stray character may follow the
 /// true end. If a stray character and then a gap followed the previous frame, it is the latter.
 template <typename Format>
 SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
-  return c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
+  return c.bytes[c.size()] == c.end() && !(c.distance == 1 && c.gapAt == 0);
 }
 
 /// Returns the index of a header after an end byte inside it, where the next frame may begin; otherwise Size. Any end
@@ -153,8 +153,8 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
 /// Returns true if a gap after it would still prove that it is aligned. It would not after the short rest of one frame
 /// and a frame from `inner` on that lost as many characters; more characters than noise has come before such a rest.
 template <typename Format>
-SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
-  return c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
+SBUS_IN_LINE bool silenceMayProve(const Candidate<Format> &c, int inner) {
+  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= MostNoise);
 }
 
 /// Returns true if this may be the break that some receivers send after each frame and each slot (a Futaba R7008SB).
@@ -177,7 +177,7 @@ SBUS_IN_LINE bool hasSlots(uint8_t variant) {
   return Format::HasSlots && variant == SlotsVariant;
 }
 
-/// Returns true if a slot follows it, perhaps after a break. Acquisition::isInTurn() says when that proves the first
+/// Returns true if a slot follows it, perhaps after a break. FrameSizeCheck::isInTurn() says when that proves the first
 /// frame.
 template <typename Format>
 SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
@@ -197,11 +197,11 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 /// character 2F directly before a frame would swallow that frame. The line's variant must be known, and a header or a
 /// gap must follow.
 template <typename Format>
-SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
-  const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
+SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, FrameSizeCheck<Format> &sizeCheck) {
+  const bool isPlaced = c.distance == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
   if (!isPlaced || !c.hasLineVariant()) {
     if (isPlaced) {
-      acquisition.forget();  // the first frame may follow without a gap
+      sizeCheck.forget();  // the first frame may follow without a gap
     }
     return Verdict::reject(Rejection::NotAtGap);
   }
@@ -214,19 +214,19 @@ SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> 
 /// Returns true if the characters are exactly the next frame of a line in sync, as they nearly always are. judge()
 /// would also accept them, but takes 160 cycles more.
 template <typename Format>
-SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t variant, bool isInSync) {
+SBUS_IN_LINE bool isExactlyNext(const uint8_t *bytes, int filled, int gapAt, uint8_t variant, bool isInSync) {
   return filled == Format::Size && isInSync && (gapAt == 0 || gapAt > Format::Size) && bytes[0] == HeaderByte &&
          areFlags(bytes[Format::Size - 2]) && endsVariant(bytes[Format::Size - 1], variant);
 }
 
 /// Judges a frame with a gap inside. A gap must follow it directly: a wide one, until the line's variant is known.
 template <typename Format>
-SBUS_IN_LINE Verdict judgeStretched(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
+SBUS_IN_LINE Verdict judgeStretched(const Candidate<Format> &c, FrameSizeCheck<Format> &sizeCheck) {
   const bool isInside = c.gapAt < Format::Size;
   if (mayBeStretched(c)) {
     if (c.gapAt == Format::Size && c.gap >= (c.hasLineVariant() ? Silence::Gap : Silence::Wide)) {
-      acquisition.stretchedFrame();
-      if (acquisition.isStretched() && c.inside == Silence::Gap) {
+      sizeCheck.stretchedFrame();
+      if (sizeCheck.isStretched() && c.inside == Silence::Gap) {
         return Verdict::accept(true);
       }
     } else if (c.count == Format::Size) {
@@ -238,17 +238,17 @@ SBUS_IN_LINE Verdict judgeStretched(const Candidate<Format> &c, Acquisition<Form
 
 /// Judges by all rules, the cheapest first.
 template <typename Format>
-SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
+SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, FrameSizeCheck<Format> &sizeCheck) {
   if (hasGapInside(c)) {
-    return judgeStretched(c, acquisition);
+    return judgeStretched(c, sizeCheck);
   }
   if (Format::HasExtra && c.bytes[0] == ExtraHeader) {
-    return judgeExtra(c, acquisition);
+    return judgeExtra(c, sizeCheck);
   }
   // It must end at a gap, before a header, or as the line's frames end.
   const bool isGapAfter = c.isGapAfter();
   bool isAtGap = isGapAfter || c.isGapBefore();
-  bool isPlaced = isAtGap && !isDoubtfulTail(c, acquisition);
+  bool isPlaced = isAtGap && !isDoubtfulTail(c, sizeCheck);
   bool isInTurn = false;
   if (!isGapAfter) {
     if (c.count <= c.size()) {
@@ -261,28 +261,28 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
         if (!isSlotNext(c) && (repeatsEnd(c) || goesOn(c))) {
           return Verdict::reject(Rejection::GoesOn, 2);
         }
-      } else if (hasStray(c, acquisition)) {
+      } else if (hasStray(c, sizeCheck)) {
         isAtGap = true;
         isPlaced = true;
       } else if (c.count == c.size() + 1 && mayHaveStray(c)) {
         return Verdict::wait();  // for a gap, or a slot after a break (20 bytes less than waiting for these only)
       } else {
-        isInTurn = isSlotNext(c) && acquisition.isInTurn(c.end());
+        isInTurn = isSlotNext(c) && sizeCheck.isInTurn(c.end());
         if (!isInTurn) {
           return Verdict::reject(Rejection::GoesOn, 2);
         }
       }
     }
   }
-  if (!c.hasLineVariant() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= FirstOffBy)) {
+  if (!c.hasLineVariant() && !sizeCheck.allows(isAtGap || isInTurn, c.distance <= FirstDistance)) {
     return Verdict::reject(Rejection::NotAtGap);
   }
   // Out of sync it may be the end of one frame and the start of the next.
   const int inner = isPlaced || c.isInSync ? Format::Size : falseSyncAt(c);
   if (inner < Format::Size) {
-    return mayBeAligned(c, inner) ? Verdict::wait() : Verdict::reject(Rejection::FalseSync, inner);
+    return silenceMayProve(c, inner) ? Verdict::wait() : Verdict::reject(Rejection::FalseSync, inner);
   }
-  return Verdict::accept(isPlaced || c.offBy == 0);
+  return Verdict::accept(isPlaced || c.distance == 0);
 }
 
 }  // namespace rules

@@ -42,7 +42,7 @@ class LineTiming {
     _pollBefore = now;
     _lastPoll = now;
     _lastBytes = now - LongSilence;  // the line before the first character is unknown
-    _shortest = LongestInterval;
+    _shortestInterval = LongestInterval;
     _characterTime = characterTime;
     _idleCharacters = idleCharacters;
   }
@@ -56,7 +56,7 @@ class LineTiming {
 
   /// Takes the time of a poll that found nothing.
   void empty(uint32_t now) {
-    _shortest = HasEmptyPolls;
+    _shortestInterval = HasEmptyPolls;
     _lastPoll = now;
     if (now - _lastBytes > HalfClock) {
       _lastBytes = now - HalfClock;  // otherwise the silence would be short again once the clock has wrapped
@@ -66,7 +66,7 @@ class LineTiming {
   /// Takes the time of a poll that found `found` bytes, 1 or more. (Inlined: 57 cycles a frame less.)
   template <typename Format>
   __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t now) {
-    const bool isKnown = _shortest == HasEmptyPolls;
+    const bool isKnown = _shortestInterval == HasEmptyPolls;
     const unsigned silence = capped((isKnown ? _lastPoll : now) - _lastBytes);
     take(now);
     if (!isKnown) {
@@ -106,11 +106,11 @@ class LineTiming {
   uint32_t lastPoll() const { return _lastPoll; }    ///< the time of the newest poll, or of incomplete()
   uint32_t lastBytes() const { return _lastBytes; }  ///< the time of the newest poll that found bytes
 
-  /// Returns true if fallsShort() may be true: some polls have found nothing, so that the time of the previous poll is
+  /// Returns true if foundTooFew() may be true: some polls have found nothing, so that the time of the previous poll is
   /// known, and the newest poll came later than one character and a gap can explain. (Asked first: an AVR's sensor
   /// polls each 100 us while the end of a frame is expected.)
-  bool mayFallShort() const {
-    return _shortest == HasEmptyPolls && capped(_lastPoll - _pollBefore) > unsigned{_characterTime} * (Gap + 2);
+  bool mayHaveFoundTooFew() const {
+    return _shortestInterval == HasEmptyPolls && capped(_lastPoll - _pollBefore) > unsigned{_characterTime} * (Gap + 2);
   }
 
   /// False on an AVR, recognised by its 16-bit ints: while interrupts are off, its micros() counts 2 ms at most.
@@ -118,9 +118,9 @@ class LineTiming {
 
   /// Returns true if the newest poll must have found more than its `found` bytes. The first of them belong to a frame
   /// that lacked `missing` bytes, 0 if none was incomplete. In a frame the characters follow each other, and a frame is
-  /// complete at most one `period`, us, after the previous frame. Call it only if mayFallShort().
+  /// complete at most one `period`, us, after the previous frame. Call it only if mayHaveFoundTooFew().
   template <typename Format>
-  bool fallsShort(int found, int missing, uint32_t period, bool isStretched) const {
+  bool foundTooFew(int found, int missing, uint32_t period, bool isStretched) const {
     const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? LongestBurst : 0);
     const unsigned most = isStretched ? handedOver * MostStretched + _idleCharacters + Gap : inTime<Format>(handedOver);
     const unsigned enough = most * _characterTime;
@@ -196,14 +196,14 @@ class LineTiming {
   __attribute__((always_inline)) Silence assumedBefore(unsigned found, unsigned interval) {
     unsigned period = AssumedInterval;
     Silence gap = Silence::Likely;
-    if (interval < _shortest) {
-      _shortest = static_cast<uint16_t>(interval);
+    if (interval < _shortestInterval) {
+      _shortestInterval = static_cast<uint16_t>(interval);
       return Silence::Unknown;
     }
-    if (_shortest < LongestInterval) {
-      period = _shortest;
+    if (_shortestInterval < LongestInterval) {
+      period = _shortestInterval;
       gap = Silence::Gap;
-      _shortest = static_cast<uint16_t>(period + period / 32);  // follows a loop() that becomes slower
+      _shortestInterval = static_cast<uint16_t>(period + period / 32);  // follows a loop() that becomes slower
     }
     unsigned burst = found;
     if (found > LongestBurst) {
@@ -220,7 +220,7 @@ class LineTiming {
 
   uint8_t _characterTime;  // us
   uint8_t _idleCharacters;  // 0: the port hands over each character at once
-  uint16_t _shortest;    // us between polls; HasEmptyPolls: not needed, as some polls were empty
+  uint16_t _shortestInterval;    // us between polls; HasEmptyPolls: not needed, as some polls were empty
   uint32_t _pollBefore;  // us
   uint32_t _lastPoll;    // us
   uint32_t _lastBytes;   // us: the last poll that found bytes, at most HalfClock before the last poll

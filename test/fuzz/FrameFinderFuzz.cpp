@@ -76,7 +76,7 @@ class Sketch {
     }
     const unsigned found = static_cast<unsigned>(_waiting.size());
     const bool isIdle = isAny() ? (choice & 1) != 0 : _ring % 16 != 0;
-    const bool isPrompt = !isAny() || (choice & 2) != 0;
+    const bool fromCallback = !isAny() || (choice & 2) != 0;
     const bool mayWait = isAny() ? (choice & 4) != 0 : hasIdle() && !isIdle;
     if (mayWait && _finder.mayWait(found, _now)) {
       check(nullptr);
@@ -84,7 +84,7 @@ class Sketch {
     }
     size_t split = 0;
     if (hasIdle()) {
-      const int first = _finder.pollIdling(found, _now, isPrompt, isIdle);
+      const int first = _finder.pollIdling(found, _now, fromCallback, isIdle);
       require(_hasLost || (first >= 0 && first <= static_cast<int>(found)), "no more is read than waits");
       split = std::min(static_cast<size_t>(first), _waiting.size());
       _hasLost = false;

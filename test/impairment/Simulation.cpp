@@ -48,7 +48,7 @@ class Simulation {
     const Driver &driver = _run.setup.driver;
     return _run.setup.callsBack() ? Receiver(_port)
            : driver.isBoards()    ? Receiver(static_cast<BoardsPort &>(port))
-           : driver.isPrompt()    ? Receiver(static_cast<PromptPort &>(port))
+           : driver.fromCallback()    ? Receiver(static_cast<PromptPort &>(port))
                                   : Receiver(port);
   }
   uint64_t randomUs(uint64_t limitUs) { return _random.below(static_cast<uint32_t>(limitUs)); }

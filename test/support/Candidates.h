@@ -36,15 +36,15 @@ inline const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at
 
 // Returns a line of which nothing has been seen yet.
 template <typename Format = sbus::Frame16>
-sbus::Acquisition<Format> noneSeen() {
-  sbus::Acquisition<Format> acquisition;
+sbus::FrameSizeCheck<Format> noneSeen() {
+  sbus::FrameSizeCheck<Format> acquisition;
   acquisition.reset();
   return acquisition;
 }
 
 // Returns a line on which two gaps have been seen, `run` characters apart.
-inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
-  sbus::Acquisition<sbus::Frame16> acquisition = noneSeen();
+inline sbus::FrameSizeCheck<sbus::Frame16> twoGaps(unsigned run) {
+  sbus::FrameSizeCheck<sbus::Frame16> acquisition = noneSeen();
   acquisition.gap(0, true);
   acquisition.characters(run);
   acquisition.gap(static_cast<int>(run), true);
@@ -52,8 +52,8 @@ inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
 }
 
 // Returns a line whose sender stretches frames.
-inline sbus::Acquisition<sbus::Frame16> stretching() {
-  sbus::Acquisition<sbus::Frame16> acquisition = noneSeen();
+inline sbus::FrameSizeCheck<sbus::Frame16> stretching() {
+  sbus::FrameSizeCheck<sbus::Frame16> acquisition = noneSeen();
   acquisition.stretchedFrame();
   acquisition.stretchedFrame();
   return acquisition;
@@ -61,7 +61,7 @@ inline sbus::Acquisition<sbus::Frame16> stretching() {
 
 // Returns "accept", "aligned", "wait", or why it is rejected and after how many characters the search continues.
 template <typename Format = sbus::Frame16>
-std::string judged(const Case &c, sbus::Acquisition<Format> acquisition = noneSeen<Format>()) {
+std::string judged(const Case &c, sbus::FrameSizeCheck<Format> acquisition = noneSeen<Format>()) {
   static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
   const sbus::Verdict verdict = sbus::rules::judge(c.candidate<Format>(), acquisition);
   return verdict.isAligned() ? "aligned"

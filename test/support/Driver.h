@@ -12,7 +12,7 @@ struct Driver {
   uint32_t overflowUs = 0;
 
   bool isBoards() const { return burst == 16; }
-  bool isPrompt() const { return keeps != 0; }  // and its class says so
+  bool fromCallback() const { return keeps != 0; }  // and its class says so
 };
 
 // GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Source/stm32l0_uart.c: a DMA ring of 32 (variants/*/

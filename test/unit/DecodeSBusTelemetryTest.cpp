@@ -104,7 +104,7 @@ TEST_CASE("if a port loses bytes between two frames, their group is rejected") {
       feed(bytesOf(plainFrame(number, 0x04)), ToSlotsUs);
       feed({0x83, 0x80}, 0);
       if (isBroken && number == 2) {
-        finder.broken();
+        finder.bytesLost();
       }
       feed({0x38}, 9000);
     }

@@ -97,7 +97,7 @@ class Line {
   void judge() {
     constexpr uint32_t Sure = 100, Early = 15;
     _watch.poll(_found, _byUs, _fromUs, _fill, _now);
-    const sbus::End end = _watch.end();
+    const sbus::FrameEnd end = _watch.end();
     if (_found == 0) {
       return;
     }

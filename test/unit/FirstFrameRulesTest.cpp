@@ -12,7 +12,7 @@ TEST_CASE("turn: before the first frame, a slot's ID ends a frame if the frame b
   for (unsigned first = 0; first < 4; first++) {
     for (unsigned second = 0; second < 4; second++) {
       INFO("first ", first, ", second ", second);
-      Acquisition<Frame16> acquisition = noneSeen();
+      FrameSizeCheck<Frame16> acquisition = noneSeen();
       const auto judge = [&](unsigned group) {
         const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03, 0xC0};
         const Case c = {bytes, Far, 0, true, false};
@@ -85,7 +85,7 @@ TEST_CASE(
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
-  Acquisition<Frame16> acquisition = twoGaps(36);
+  FrameSizeCheck<Frame16> acquisition = twoGaps(36);
   acquisition.characters(25);
   acquisition.gap(25, true);  // a frame of the right size ends the doubts
   CHECK(judged({whole, 0, 9, false, false}, acquisition) == "aligned");
@@ -100,7 +100,7 @@ TEST_CASE("frames are forbidden for eight gaps, or one if the characters may be 
               {37, 25, 0}, {255, 25, 0}};
   for (const auto &row : rows) {
     INFO("run ", row.run, ", waiting ", row.waiting);
-    Acquisition<Frame16> acquisition = noneSeen();
+    FrameSizeCheck<Frame16> acquisition = noneSeen();
     acquisition.gap(0, true);
     acquisition.characters(row.run);
     CHECK(acquisition.gap(row.waiting, true) == (row.run == 36));

@@ -47,8 +47,8 @@ TEST_CASE("bytes that a port hands over may wait if they complete no frame, and 
   Feeder line;
   const auto mayWait = [&line](unsigned count) { return line.finder.mayWait(count, line.now); };
   CHECK_FALSE(mayWait(16));  // the line before the first byte is unknown
-  for (const bool isPrompt : {false, true}) {
-    line.finder.pollIdling(8, line.now, isPrompt, false);
+  for (const bool fromCallback : {false, true}) {
+    line.finder.pollIdling(8, line.now, fromCallback, false);
     std::copy_n(Low.begin(), 8, line.finder.space());
     line.finder.received(8, 0);
     CHECK_FALSE(mayWait(17));
@@ -60,7 +60,7 @@ TEST_CASE("bytes that a port hands over may wait if they complete no frame, and 
     CHECK(mayWait(16));
     line.now += 2 * Feeder::CharacterUs + 1;
     CHECK_FALSE(mayWait(16));
-    line.finder.broken();
+    line.finder.bytesLost();
     line.finder.reset(line.now, Feeder::CharacterUs);
   }
 }
@@ -175,7 +175,7 @@ TEST_CASE("no byte from before a break completes a frame after it; the complete 
       INFO("neutral ", neutral, ", torn ", torn);
       Feeder line;
       line.lock().feed(bytesOf(frameOf(neutral, 0)) + part(frameOf(neutral, 1), 0, torn));
-      line.finder.broken();
+      line.finder.bytesLost();
       CHECK(line.counted().overflows == 1);
       CHECK(line.counted().discardedBytes == torn);
       CHECK(line.feed(part(frameOf(neutral, 2), torn == 0 ? 25 : torn)).empty());
@@ -193,7 +193,7 @@ TEST_CASE("the bytes that a break discards are reported as all others: the place
   std::copy_n(frame.begin(), 12, finder.space());
   finder.received(12, 0);
   CHECK(finder.events().bytes == 0);
-  finder.broken();
+  finder.bytesLost();
   CHECK(finder.events().bytes == 12);
 }
 

@@ -80,14 +80,14 @@ TEST_CASE(
 
 TEST_CASE(
     "inside: two stretched frames with at most two others in between show a sender that stretches, for a hundred") {
-  const auto whole = [](Acquisition<Frame16> &acquisition) {
+  const auto whole = [](FrameSizeCheck<Frame16> &acquisition) {
     acquisition.gap(0, false);
     acquisition.characters(25);
     acquisition.gap(0, false);
   };
   for (unsigned between = 0; between < 5; between++) {
     CAPTURE(between);
-    Acquisition<Frame16> acquisition = noneSeen();
+    FrameSizeCheck<Frame16> acquisition = noneSeen();
     acquisition.stretchedFrame();
     CHECK_FALSE(acquisition.isStretched());
     for (unsigned frame = 0; frame < between; frame++) {
@@ -96,11 +96,11 @@ TEST_CASE(
     acquisition.stretchedFrame();
     CHECK(acquisition.isStretched() == (between <= 2));
   }
-  Acquisition<Frame16> acquisition = stretching();
+  FrameSizeCheck<Frame16> acquisition = stretching();
   for (unsigned frame = 0; frame < 99; frame++) {
     whole(acquisition);
   }
-  Acquisition<Frame16> late = acquisition;
+  FrameSizeCheck<Frame16> late = acquisition;
   late.stretchedFrame();
   CHECK(late.isStretched());
   whole(acquisition);
@@ -276,16 +276,16 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("isUsual accepts only what judge() accepts as aligned") {
+TEST_CASE("isExactlyNext accepts only what judge() accepts as aligned") {
   const auto check = [](const Bytes &bytes, int gapAt, uint8_t variant, bool isInSync) {
     INFO(bytes, ", gapAt ", gapAt, ", variant ", unsigned{variant}, ", isInSync ", isInSync);
     bool accepted = false;
     if (bytes.size() == 25 && variantOfEnd(bytes[24]) == variant && isInSync && bytes[0] == 0x0F &&
         isFlagsByte(bytes[23])) {
-      Acquisition<Frame16> acquisition = noneSeen();
+      FrameSizeCheck<Frame16> acquisition = noneSeen();
       accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isAligned();
     }
-    const bool usual = rules::isUsual<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, variant, isInSync);
+    const bool usual = rules::isExactlyNext<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, variant, isInSync);
     CHECK(usual == (accepted && gapAt != 25));  // a gap behind is found by an empty poll, and that is not usual
     return usual;
   };

@@ -121,7 +121,7 @@ TEST_CASE("bytes that a full buffer has lost are an overflow and no shortfall") 
   const Bytes frame = bytesOf(plainFrame(line.number));
   line.feed(part(frame, 0, 10));
   line.block(100000).poll(part(frame, 10) + part(frame, 0, 10));
-  line.finder.broken();
+  line.finder.bytesLost();
   line.wait(GapUs).feed(frame);
   CHECK(line.finder.counters().overflows == 1);
   CHECK(line.finder.counters().shortfalls == 0);

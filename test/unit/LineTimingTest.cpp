@@ -115,30 +115,30 @@ TEST_CASE(
     for (const uint32_t start : {uint32_t{5000}, UINT32_MAX - 300}) {  // the clock wraps
       CAPTURE(row.what);
       CAPTURE(start);
-      const auto fallsShort = [&](uint32_t us, bool is24, bool isStretched = false) {
+      const auto foundTooFew = [&](uint32_t us, bool is24, bool isStretched = false) {
         LineTiming line = afterByte(start, 120, row.idle);
         line.empty(start + 700);
         line.silenceBefore<sbus::Frame16>(static_cast<unsigned>(row.found), start + 700 + us);
-        const bool falls = is24 ? line.fallsShort<sbus::Frame24>(row.found, row.missing, 9000, isStretched)
-                                : line.fallsShort<sbus::Frame16>(row.found, row.missing, 9000, isStretched);
-        CHECK((!falls || line.mayFallShort()));
+        const bool falls = is24 ? line.foundTooFew<sbus::Frame24>(row.found, row.missing, 9000, isStretched)
+                                : line.foundTooFew<sbus::Frame16>(row.found, row.missing, 9000, isStretched);
+        CHECK((!falls || line.mayHaveFoundTooFew()));
         return falls;
       };
-      CHECK_FALSE(fallsShort(row.us16, false));
-      CHECK(fallsShort(row.us16 + 1, false));
-      CHECK_FALSE(fallsShort(row.us24, true));
-      CHECK(fallsShort(row.us24 + 1, true));
-      CHECK_FALSE(fallsShort(row.stretched16, false, true));
-      CHECK(fallsShort(row.stretched16 + 1, false, true));
-      CHECK_FALSE(fallsShort(row.stretched24, true, true));
-      CHECK(fallsShort(row.stretched24 + 1, true, true));
+      CHECK_FALSE(foundTooFew(row.us16, false));
+      CHECK(foundTooFew(row.us16 + 1, false));
+      CHECK_FALSE(foundTooFew(row.us24, true));
+      CHECK(foundTooFew(row.us24 + 1, true));
+      CHECK_FALSE(foundTooFew(row.stretched16, false, true));
+      CHECK(foundTooFew(row.stretched16 + 1, false, true));
+      CHECK_FALSE(foundTooFew(row.stretched24, true, true));
+      CHECK(foundTooFew(row.stretched24 + 1, true, true));
       for (const uint32_t minutes : {36u, 71u}) {  // beyond the sign bit, and just before the clock wraps
-        CHECK(fallsShort(minutes * 60000000, false));
-        CHECK(fallsShort(minutes * 60000000, true, true));
+        CHECK(foundTooFew(minutes * 60000000, false));
+        CHECK(foundTooFew(minutes * 60000000, true, true));
       }
     }
   }
-  CHECK_FALSE(timing(5000).mayFallShort());
+  CHECK_FALSE(timing(5000).mayHaveFoundTooFew());
 }
 
 TEST_CASE("an empty call proves silence once a burst would have been handed over meanwhile, and a wide one later") {

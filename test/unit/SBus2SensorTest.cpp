@@ -172,29 +172,29 @@ TEST_CASE("on a port that does not say when a frame ended, nothing is answered")
 }
 
 TEST_CASE("a frame's end lies between two polls, less the time that the port needs to hand it over") {
-  using sbus::HandOver;
+  using sbus::ReceiveNotice;
   constexpr uint32_t Before = 10000, By = 10050;
   const struct {
-    HandOver handOver;
+    ReceiveNotice notice;
     unsigned found;
     uint32_t earliest, latest;
   } rows[] = {
-      {HandOver::EachCharacter, 1, 9990, 10065}, {HandOver::EachCharacter, 16, 9990, 10065},
-      {HandOver::Dma16, 16, 9990, 10065},        {HandOver::Dma16, 9, 9870, 9945},
-      {HandOver::Dma16, 25, 9870, 9945},
+      {ReceiveNotice::EachCharacter, 1, 9990, 10065}, {ReceiveNotice::EachCharacter, 16, 9990, 10065},
+      {ReceiveNotice::Dma16, 16, 9990, 10065},        {ReceiveNotice::Dma16, 9, 9870, 9945},
+      {ReceiveNotice::Dma16, 25, 9870, 9945},
   };
   for (const auto &row : rows) {
     CAPTURE(row.found);
-    const sbus::End end = sbus::endOf(row.handOver, row.found, Before, By);
+    const sbus::FrameEnd end = sbus::frameEndOf(row.notice, row.found, Before, By);
     CHECK(end.earliest == row.earliest);
     CHECK(end.latest == row.latest);
   }
-  const sbus::End unknown = sbus::endOf(HandOver::Unknown, 1, Before, By);
+  const sbus::FrameEnd unknown = sbus::frameEndOf(ReceiveNotice::Unknown, 1, Before, By);
   CHECK(unknown.latest - unknown.earliest > sbus::Answers::MostOff);
 }
 
 TEST_CASE("if two callbacks disagree on a frame's end, one was held up: nothing is known") {
-  using sbus::HandOver;
+  using sbus::ReceiveNotice;
   constexpr uint32_t Before = 10000;  // 9 characters follow, and the callback comes when the line was idle for one
   constexpr uint32_t Prompt = Before + 10 * 120;
   const struct {
@@ -205,7 +205,7 @@ TEST_CASE("if two callbacks disagree on a frame's end, one was held up: nothing 
               {-40, true, 11040}, {-41, false, 0},   {3000, false, 0}};
   for (const auto &row : rows) {
     CAPTURE(row.heldUp);
-    const sbus::End end = sbus::promptEndOf(HandOver::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
+    const sbus::FrameEnd end = sbus::frameEndOfCallback(ReceiveNotice::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
     CHECK((end.latest - end.earliest <= sbus::Answers::MostOff) == row.isKnown);
     if (row.isKnown) {
       CHECK(end.latest == row.latest);

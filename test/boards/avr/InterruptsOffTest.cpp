@@ -39,7 +39,7 @@ class EqualChannels : public line::Line {
 
 }  // namespace
 
-// Without LineTiming::fallsShort() there are 95 wrong frames of 789 stops; extras/docs/boards.md says what is left.
+// Without LineTiming::foundTooFew() there are 95 wrong frames of 789 stops; extras/docs/boards.md says what is left.
 TEST_CASE("interrupts off for 9.3 to 9.56 ms, a period and three characters, join two frames in few of the stops") {
   for (const avr::Model &model : {avr::Mega, avr::Leonardo}) {
     CAPTURE(std::string(model.name));

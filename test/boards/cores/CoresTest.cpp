@@ -2,7 +2,7 @@
 #include <string>
 
 #include "Cores.h"
-#include "port/HandOver.h"
+#include "port/ReceiveNotice.h"
 
 #if defined(ESP8266)
 HardwareSerial Serial, Serial1(1);
@@ -240,7 +240,7 @@ TEST_CASE("inverts() returns whether the port can invert") {
 
 #if defined(ESP32)
 TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimerEsp32 finds that out") {
-  CHECK(sbus::handOverOf(&SBUS_PORT, &SBUS_PORT, sbus::Choice<2>()) == sbus::HandOver::Unknown);
+  CHECK(sbus::noticeOf(&SBUS_PORT, &SBUS_PORT, sbus::Priority<2>()) == sbus::ReceiveNotice::Unknown);
 }
 #endif
 

@@ -9,11 +9,11 @@ namespace sbus {
 /// Counts the characters between two gaps: FrSky's frames of 24 channels have 36. Call all methods from the context
 /// that reads the port.
 template <typename Format>
-class Acquisition {
+class FrameSizeCheck {
  public:
   /// Forgets everything.
   void reset() {
-    _doubts = 0;
+    _gapsUntilTrusted = 0;
     _group = 0;
     _stretched = 0;
     forget();
@@ -21,34 +21,34 @@ class Acquisition {
 
   /// Forgets the characters since the last gap. `isSilent`: after a long silence the next character counts as the
   /// line's first.
-  void forget(bool isSilent = false) { _run = _lastRun = isSilent ? 0 : Unseen; }
+  void forget(bool isSilent = false) { _sinceGap = _betweenGaps = isSilent ? 0 : Unseen; }
 
   /// Counts `found` characters.
   void characters(unsigned found) {
-    _run = static_cast<uint8_t>(static_cast<int>(found) < Unseen - _run ? _run + found : Unseen);
+    _sinceGap = static_cast<uint8_t>(static_cast<int>(found) < Unseen - _sinceGap ? _sinceGap + found : Unseen);
   }
 
   /// Takes a gap before the next character; `waiting` of the characters before it belong to no frame yet. Returns true
   /// if a frame of the other size has just ended. If the line variant is unknown (`isVariantOpen`), this forbids frames
   /// until one of the right size, or eight gaps, have come.
   bool gap(int waiting, bool isVariantOpen) {
-    if (_run == 0) {
+    if (_sinceGap == 0) {
       return false;  // this gap was taken before
     }
-    const bool isOther = _run == Format::OtherSize;
+    const bool isOther = _sinceGap == Format::OtherSize;
     if (isOther) {
-      _doubts = isVariantOpen ? Memory : _doubts;
-    } else if (_run == Format::Size) {
-      _doubts = 0;
+      _gapsUntilTrusted = isVariantOpen ? Memory : _gapsUntilTrusted;
+    } else if (_sinceGap == Format::Size) {
+      _gapsUntilTrusted = 0;
       _stretched = static_cast<uint8_t>(_stretched - (_stretched != 0));
-    } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {
+    } else if (waiting >= Format::Size && _sinceGap > waiting + 1 && _sinceGap <= Format::OtherSize) {
       // Possibly the tail of a damaged frame of the other size, after a stray character.
-      _doubts = _doubts == 0 ? 1 : _doubts;
-    } else if (_doubts > 0) {
-      _doubts--;
+      _gapsUntilTrusted = _gapsUntilTrusted == 0 ? 1 : _gapsUntilTrusted;
+    } else if (_gapsUntilTrusted > 0) {
+      _gapsUntilTrusted--;
     }
-    _lastRun = _lastRun == 0 ? Unseen : _run;  // the line may have been joined within a frame
-    _run = 0;
+    _betweenGaps = _betweenGaps == 0 ? Unseen : _sinceGap;  // the line may have been joined within a frame
+    _sinceGap = 0;
     return isOther;
   }
 
@@ -61,10 +61,10 @@ class Acquisition {
 
   /// Returns true if a frame's number of characters has come since the last gap: if another gap follows, the two prove
   /// each other, even if the port called late.
-  bool isFrame() const { return _run == Format::Size || (_run > Format::Size && _run == _lastRun); }
+  bool isFrame() const { return _sinceGap == Format::Size || (_sinceGap > Format::Size && _sinceGap == _betweenGaps); }
 
   /// Returns how many characters came between the two newest gaps; 255 if unknown.
-  int lastRun() const { return _lastRun; }
+  int betweenGaps() const { return _betweenGaps; }
 
   /// Returns true if a frame may begin here: frames are not forbidden, and the frame begins at a gap, is the first on
   /// the line (`isFirst`), or the line shows no gaps.
@@ -88,14 +88,14 @@ class Acquisition {
   static constexpr int Unseen = UINT8_MAX;  // characters; a line without a gap in them shows no gaps
 
   // Returns true if the line may be one of the other frame size.
-  bool isDoubted() const { return _doubts != 0; }
+  bool isDoubted() const { return _gapsUntilTrusted != 0; }
 
   // Returns true if the line shows gaps: the first frame then begins at one.
-  bool showsGaps() const { return _run < (_lastRun == 0 ? 2 * Format::Size : Unseen); }
+  bool showsGaps() const { return _sinceGap < (_betweenGaps == 0 ? 2 * Format::Size : Unseen); }
 
-  uint8_t _doubts;   // gaps until frames are allowed again
-  uint8_t _run;      // characters since a gap
-  uint8_t _lastRun;  // characters between the two gaps before
+  uint8_t _gapsUntilTrusted;   // gaps until frames are allowed again
+  uint8_t _sinceGap;      // characters since a gap
+  uint8_t _betweenGaps;  // characters between the two gaps before
   uint8_t _group;    // end byte of the group that is next in turn
   uint8_t _stretched;  // frames without gaps inside until the sender counts as one that stretches none
 };

@@ -15,7 +15,7 @@ namespace sbus {
 constexpr unsigned HalfRing = 16;
 
 // The moment at which a port counts a character as waiting.
-enum class HandOver : uint8_t {
+enum class ReceiveNotice : uint8_t {
   Unknown,        // at an unknown time: a sensor does not answer there (except on an ESP32: below)
   EachCharacter,  // by an interrupt for each, in its first stop bit
   Fifo,           // in its first stop bit, even while interrupts are off
@@ -23,42 +23,43 @@ enum class HandOver : uint8_t {
 };
 
 // The time from the end of a character's last stop bit until it waits, us.
-struct Lag {
+struct NoticeDelay {
   int16_t least, most;
 };
 
 // Returns the lag of a character when the port has handed over `found` characters at once.
-inline Lag lagOf(HandOver handOver, unsigned found) {
+inline NoticeDelay noticeDelayOf(ReceiveNotice notice, unsigned found) {
   constexpr int16_t Early = -15;  // the middle of the first of two stop bits
   constexpr int16_t Late = 10;    // an interrupt comes late by so much while others run
   constexpr int16_t Shown = -10;  // the end of the first stop bit
-  const int16_t idle = handOver == HandOver::Dma16 && found % HalfRing != 0 ? CharacterTime : 0;
-  return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(handOver == HandOver::Fifo ? Shown : idle + Late)};
+  const int16_t idle = notice == ReceiveNotice::Dma16 && found % HalfRing != 0 ? CharacterTime : 0;
+  return {static_cast<int16_t>(idle + Early),
+          static_cast<int16_t>(notice == ReceiveNotice::Fifo ? Shown : idle + Late)};
 }
 
 // The bounds of the time at which a frame ended, us.
-struct End {
+struct FrameEnd {
   uint32_t earliest, latest;
 };
 
 // Returns when a frame ended if its end was among the `found` characters of a poll at `by`, but not of one at `before`.
-inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
-  if (handOver == HandOver::Unknown) {
+inline FrameEnd frameEndOf(ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
+  if (notice == ReceiveNotice::Unknown) {
     return {by - UINT16_MAX, by};
   }
-  const Lag lag = lagOf(handOver, found);
+  const NoticeDelay lag = noticeDelayOf(notice, found);
   return {before - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least)};
 }
 
 // Returns when a frame ended, for a port that calls back at once: it did at `before` and at `by`, with `found`
 // characters between the two. Other interrupts may delay a callback, so both must agree on the end, and it is no later
 // than the earlier of the two says.
-inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+inline FrameEnd frameEndOfCallback(ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t MostHeldUp = 40;  // us
-  const uint32_t end = by - (handOver == HandOver::Dma16 && found % HalfRing != 0 ? CharacterTime : 0);
+  const uint32_t end = by - (notice == ReceiveNotice::Dma16 && found % HalfRing != 0 ? CharacterTime : 0);
   const uint32_t same = before + found * CharacterTime;
   const int32_t heldUp = static_cast<int32_t>(end - same);
-  if (handOver == HandOver::Unknown || heldUp > MostHeldUp || heldUp < -MostHeldUp) {
+  if (notice == ReceiveNotice::Unknown || heldUp > MostHeldUp || heldUp < -MostHeldUp) {
     return {by - UINT16_MAX, by};
   }
   const uint32_t latest = heldUp > 0 ? same : end;
@@ -67,24 +68,24 @@ inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint3
 
 #if defined(SERIAL_SBUS)  // stm32l0_uart.c:53, 280, 653
 template <typename Port>
-auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->onReceive(nullptr), HandOver()) {
-  return HandOver::Dma16;
+auto noticeOf(Port *port, HardwareSerial *, Priority<2>) -> decltype(port->onReceive(nullptr), ReceiveNotice()) {
+  return ReceiveNotice::Dma16;
 }
 #elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR (HardwareSerial_private.h:101), STM32 (uart.c, HAL_UART_Receive_IT of 1)
 template <typename Port>
-HandOver handOverOf(Port *, HardwareSerial *, Choice<1>) {
-  return HandOver::EachCharacter;
+ReceiveNotice noticeOf(Port *, HardwareSerial *, Priority<1>) {
+  return ReceiveNotice::EachCharacter;
 }
 #elif defined(SBUS_TEENSY4)  // whose available() looks into the FIFO (cores 7f107ee, teensy4/HardwareSerial.cpp:449)
-inline HandOver handOverOf(HardwareSerialIMXRT *, HardwareSerial *, Choice<1>) {
-  return HandOver::EachCharacter;
+inline ReceiveNotice noticeOf(HardwareSerialIMXRT *, HardwareSerial *, Priority<1>) {
+  return ReceiveNotice::EachCharacter;
 }
 #endif
 // arduino-pico: its available() looks into the FIFO. Its UART does not check the second stop bit (RP2040 datasheet,
 // 4.2.2).
 template <typename Port>
-auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->setInvertRX(true), HandOver()) {
-  return HandOver::Fifo;
+auto noticeOf(Port *port, HardwareSerial *, Priority<2>) -> decltype(port->setInvertRX(true), ReceiveNotice()) {
+  return ReceiveNotice::Fifo;
 }
 // For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
@@ -93,8 +94,8 @@ auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->setIn
 // (FifoWatch.h). Core 3: esp-idf 01b912a, components/driver/uart/uart.c:32, arduino-esp32 8edd529,
 // HardwareSerial.cpp:19; core 2: esp-idf 002cd29, components/driver/uart.c:40.
 template <typename Port>
-HandOver handOverOf(Port *, Stream *, Choice<0>) {
-  return HandOver::Unknown;
+ReceiveNotice noticeOf(Port *, Stream *, Priority<0>) {
+  return ReceiveNotice::Unknown;
 }
 
 }  // namespace sbus
