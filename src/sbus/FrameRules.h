@@ -31,8 +31,8 @@ class Verdict {
   /// They are a frame. `isAligned`: certainly, whatever came before them.
   static constexpr Verdict accept(bool isAligned) { return Verdict(isAligned ? Aligned : Accepted, Rejection::NoEnd); }
   static constexpr Verdict wait() { return Verdict(Open, Rejection::NoEnd); }  ///< the next characters decide
-  /// They are not a frame. The next one may begin `next` characters further on, 1 or more.
-  static constexpr Verdict reject(Rejection why, int skip = 1) { return Verdict(next, why); }
+  /// They are not a frame. The next one may begin `skip` characters further on, 1 or more.
+  static constexpr Verdict reject(Rejection why, int skip = 1) { return Verdict(skip, why); }
 
   constexpr bool isAccepted() const { return _skip < Open; }     ///< accept()
   constexpr bool isAligned() const { return _skip == Aligned; }  ///< accept(true)
@@ -43,7 +43,7 @@ class Verdict {
  private:
   enum : int_fast8_t { Aligned = -2, Accepted = -1, Open = 0 };
 
-  constexpr Verdict(int skip, Rejection why) : _skip(static_cast<int_fast8_t>(next)), _why(why) {}
+  constexpr Verdict(int skip, Rejection why) : _skip(static_cast<int_fast8_t>(skip)), _why(why) {}
 
   int_fast8_t _skip;
   Rejection _why;

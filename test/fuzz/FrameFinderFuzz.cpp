@@ -60,7 +60,7 @@ class Sketch {
   void pass(uint32_t us) { _now += us; }
 
   void broken() {
-    _finder.broken();
+    _finder.bytesLost();
     startAnew();
   }
 

@@ -67,5 +67,5 @@ std::string judged(const Case &c, sbus::FrameSizeCheck<Format> acquisition = non
   return verdict.isAligned() ? "aligned"
          : verdict.isAccepted() ? "accept"
          : verdict.isOpen()     ? "wait"
-                                : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.next()));
+                                : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.skip()));
 }

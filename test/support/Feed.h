@@ -153,7 +153,7 @@ class TimedLine {
       feeder.now = start + static_cast<uint32_t>(us);
       found = found + feeder.poll(bytes);
       if (bytes.size() >= 63) {
-        feeder.finder.broken();
+        feeder.finder.bytesLost();
       }
     }
     if (counters != nullptr) {
