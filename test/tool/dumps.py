@@ -134,6 +134,7 @@ WAYS = {
     "frames and CR LF": lines(lambda data, i: UPPER(data + b"\r\n")),
     "frames and zeros, as ArduPilot prints RCDA": lines(lambda data, i: COMMAS(data + bytes(15))),
     "frames and AA 55": lines(lambda data, i: UPPER(data + b"\xAA\x55")),
+    "frames that end in 08, without their tail": lines(lambda data, i: UPPER(data[:-1] + b"\x08")),
     "frames and zeros in decimal": lines(lambda data, i: DECIMAL(data + bytes(7))),
     "sbus explain's bits": "".join(f"{byte:08b} " for byte in ALL) + "\n" if False else lines(numbers("0x%02X", "\t")),
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double SampleSizeMax = 128;  // bytes of a session's samples
 constexpr const char *NoRate = "does not say when its samples were taken: --sample-rate is expected";
-constexpr std::string_view Title = "FrameSizeCheck with ";
+constexpr std::string_view Title = "Acquisition with ";
 
 // Takes "D0:" off a line of samples. Returns false for other lines, such as a trigger's "T:  ^ 5".
 bool takeName(std::string_view &line, std::string &name) {
@@ -94,12 +94,12 @@ std::string SigrokTextReader::put(std::string_view lines) {
   return error;
 }
 
-// Reads "FrameSizeCheck with 2/8 channels at 1 MHz".
+// Reads "Acquisition with 2/8 channels at 1 MHz".
 std::string SigrokTextReader::header(std::string_view line) {
   const char *at = line.data() + Title.size();
   double signals = 0;
   if (!takeNumber(at, line.data() + line.size(), signals) || !(signals >= 1) || !(signals <= SignalsMax)) {
-    return "there are no signals: \"FrameSizeCheck with 1/8 channels\" or more is expected";
+    return "there are no signals: \"Acquisition with 1/8 channels\" or more is expected";
   }
   _signals = static_cast<size_t>(signals);
   const size_t rate = line.find(" at ");

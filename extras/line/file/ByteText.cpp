@@ -58,11 +58,21 @@ size_t frameAt(const TextBytes &bytes) {
     if (bytes.size() >= size && bytes[0].value == sbus::HeaderByte && sbus::isFlagsByte(bytes[size - 2].value) &&
         sbus::isEndByte(bytes[size - 1].value)) {
       const uint8_t variant = sbus::variantOfEnd(bytes[size - 1].value);
-      return size + (size == sbus::FrameSize ? sbus::LineVariants[variant].tailSize : 0);
+      const size_t tail = size == sbus::FrameSize ? sbus::LineVariants[variant].tailSize : 0;
+      return std::min(bytes.size(), size + tail);  // a line may hold the frame alone
     }
   }
   return 0;
 }
+
+namespace {
+
+// Returns true if these are a frame without the tail that its variant has on the line.
+bool lacksTail(const TextBytes &bytes) {
+  return bytes.size() == sbus::FrameSize && sbus::LineVariants[sbus::variantOfEnd(bytes[sbus::EndIndex].value)].tailSize > 0;
+}
+
+}  // namespace
 
 ByteText::ByteText(std::string_view head, bool isWhole) {
   findOffsets(head);
@@ -79,7 +89,7 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
     const TextBytes rest(bytes.begin() + static_cast<std::ptrdiff_t>(frame), bytes.end());
     _lines += !bytes.empty();
     _frameLines += frame > 0;
-    _filledLines += frame > 0 && !rest.empty() && frameAt(rest) == 0;
+    _filledLines += frame > 0 && (rest.empty() ? lacksTail(bytes) : frameAt(rest) == 0);
   }
 }
 
