@@ -35,7 +35,7 @@ Lines split(const std::string &text, size_t piece) {
 }  // namespace
 
 TEST_CASE("lines are the same whatever the pieces, and only a last one without LF is cut") {
-  for (const size_t piece : {1, 2, 3, 100}) {
+  for (const size_t piece : {size_t{1}, size_t{2}, size_t{3}, size_t{100}}) {
     CAPTURE(piece);
     const Lines whole = split("a\n\nbc\n", piece), cut = split("\na\nbc", piece);
     CHECK(whole.lines == std::vector<std::string>{"a", "", "bc"});
