@@ -77,7 +77,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
       : Decoder(port),
         _stream(port),
         _start(start<Port>),
-        _notice(sbus::noticeOf(&port, &port, sbus::Priority<2>())) {}
+        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {}
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
@@ -85,7 +85,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
       : Decoder(port, rx, tx),
         _stream(port),
         _start(start<Port>),
-        _notice(sbus::noticeOf(&port, &port, sbus::Priority<2>())) {}
+        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {}
 
   /// Remembers `port`, and uses its TX as the line itself, without a diode; RX stays free:
   /// `SBus2Sensor dSBus(Serial1, sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do

@@ -44,23 +44,23 @@ constexpr uint8_t WantedBurst = 8;
 
 // Tells an ESP32 how many characters make a burst. Cores before 2.0.3 cannot.
 template <typename Port>
-auto limitBursts(Port &port, uint8_t burst, Priority<1>) -> decltype(port.setRxFIFOFull(0), void()) {
+auto limitBursts(Port &port, uint8_t burst, Rank<1>) -> decltype(port.setRxFIFOFull(0), void()) {
   port.setRxFIFOFull(burst);
 }
 // Does nothing: other ports keep their burst.
 template <typename Port>
-void limitBursts(Port &, uint8_t, Priority<0>) {
+void limitBursts(Port &, uint8_t, Rank<0>) {
 }
 
 // Gives arduino-pico's port a queue of WantedBuffer. Returns its size.
 template <typename Port>
-auto enlarge(Port &port, Priority<1>) -> decltype(port.setFIFOSize(0), 0u) {
+auto enlarge(Port &port, Rank<1>) -> decltype(port.setFIFOSize(0), 0u) {
   port.setFIFOSize(WantedBuffer);
   return WantedBuffer;
 }
 // Returns the smallest size: arduino-pico's SerialPIO has the size that the sketch gave it, which is unknown here.
 template <typename Port>
-unsigned enlarge(Port &, Priority<0>) {
+unsigned enlarge(Port &, Rank<0>) {
   return SmallestBuffer;
 }
 

@@ -10,9 +10,9 @@ namespace sbus {
 
 // Orders overloads: of those that compile, the one with the highest number is called.
 template <int Number>
-struct Priority : Priority<Number - 1> {};
+struct Rank : Rank<Number - 1> {};
 template <>
-struct Priority<0> {};
+struct Rank<0> {};
 
 /// The core's SERIAL_8E2, a macro or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1: they
 /// see the second stop bit as an idle line.

@@ -28,7 +28,7 @@ class Listener {
 
   // Remembers whether a port of this class calls back.
   template <typename Port>
-  explicit Listener(Port &port) : _set(setterOf(&port, Priority<1>())) {}
+  explicit Listener(Port &port) : _set(setterOf(&port, Rank<1>())) {}
 
   // Returns true if wasIdle() and isIdle() know: from start() on. (A constant on the board: 300 bytes less. There
   // another Stream shows no gaps.)
@@ -104,13 +104,13 @@ class Listener {
 
   // A port that calls back, and has a buffer of its own. (USB calls back, too, but its bytes come in packets, late.)
   template <typename Port>
-  static auto setterOf(Port *port, Priority<1>)
+  static auto setterOf(Port *port, Rank<1>)
       -> decltype(port->onReceive(Callback()), port->begin(0, 0, static_cast<uint8_t *>(nullptr), 0),
                   static_cast<Set *>(nullptr)) {
     return set<Port>;
   }
   template <typename Port>
-  static Set *setterOf(Port *, Priority<0>) {
+  static Set *setterOf(Port *, Rank<0>) {
     return nullptr;
   }
 

@@ -59,7 +59,7 @@ class Port : private CoreKind::Pins {
   // Reads up to `size` bytes, at most what available() returned: the STM32L0's core would write past the end of
   // `buffer`. Returns how many it has read.
   __attribute__((always_inline)) int read(uint8_t *buffer, size_t size) {
-    return read(_hardware, buffer, size, Priority<1>());
+    return read(_hardware, buffer, size, Rank<1>());
   }
 
   // Returns the port.
@@ -84,7 +84,7 @@ class Port : private CoreKind::Pins {
       return static_cast<int>(DmaSender::room(_hardware));
     }
 #endif
-    return room(_stream, Priority<1>());
+    return room(_stream, Rank<1>());
   }
 
   // Writes all bytes, and may wait. Returns false if it sends nothing.
@@ -114,7 +114,7 @@ class Port : private CoreKind::Pins {
         _hardware(hardware(&port)),
         _open(open<Class>),
         _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
-        _idleCharacters(sbus::idleCharacters(noticeOf(&port, &port, Priority<2>()))) {}
+        _idleCharacters(sbus::idleCharacters(noticeOf(&port, &port, Rank<2>()))) {}
 
   // Waits until the frame that any object has given to the port has gone out; a core waits only for its own write().
   // In a sketch that sends nothing DmaSender::flush() is null, and the sender and the board's other ports are not
@@ -151,13 +151,13 @@ class Port : private CoreKind::Pins {
 
   // Reads in one call, where HardwareSerial can.
   template <typename Hardware>
-  __attribute__((always_inline)) auto read(Hardware *port, uint8_t *buffer, size_t size, Priority<1>)
+  __attribute__((always_inline)) auto read(Hardware *port, uint8_t *buffer, size_t size, Rank<1>)
       -> decltype(static_cast<int>(port->read(buffer, size))) {
-    return port != nullptr ? static_cast<int>(port->read(buffer, size)) : read(port, buffer, size, Priority<0>());
+    return port != nullptr ? static_cast<int>(port->read(buffer, size)) : read(port, buffer, size, Rank<0>());
   }
   // Not inlined: that would cost a poll of the STM32L0 24 cycles.
   template <typename Hardware>
-  __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Priority<0>) {
+  __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Rank<0>) {
     size_t count = 0;
     for (int byte; count < size && (byte = _stream.read()) >= 0; count++) {
       buffer[count] = static_cast<uint8_t>(byte);
@@ -166,11 +166,11 @@ class Port : private CoreKind::Pins {
   }
 
   template <typename Class>
-  static auto room(Class &port, Priority<1>) -> decltype(port.availableForWrite()) {
+  static auto room(Class &port, Rank<1>) -> decltype(port.availableForWrite()) {
     return port.availableForWrite();
   }
   template <typename Class>
-  static int room(Class &, Priority<0>) {  // SAM
+  static int room(Class &, Rank<0>) {  // SAM
     return 0;
   }
 

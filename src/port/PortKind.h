@@ -135,7 +135,7 @@ struct Pico : Kind {
     port.end();
     port.setInvertRX(config.inverted());
     port.setInvertTX(config.inverted());
-    const unsigned size = enlarge(port, Priority<1>());
+    const unsigned size = enlarge(port, Rank<1>());
     port.begin(baud, config);
     return size;
   }
@@ -156,7 +156,7 @@ struct Esp32 : Kind {
     pins.wasInverted = config.inverted();
     const unsigned size = port.setRxBufferSize(WantedBuffer);
     port.begin(baud, config, pins.rxPin, pins.txPin, config.inverted());
-    limitBursts(port, WantedBurst, Priority<1>());
+    limitBursts(port, WantedBurst, Rank<1>());
     return size;
   }
 };
@@ -189,29 +189,29 @@ struct OpenAlready : Kind {
 
 // Declared only: its return type is the kind of a port.
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Priority<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
+auto kindOf(Port *port, HardwareSerial *, Rank<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Priority<4>)
+auto kindOf(Port *port, HardwareSerial *, Rank<4>)
     -> decltype(port->begin(0, Config(), Config(), 1, true), Esp8266());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Priority<4>) -> decltype(port->setInvertRX(true), Pico());
+auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->setInvertRX(true), Pico());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Priority<4>) -> decltype(port->setRxInvert(), Stm32());
+auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->setRxInvert(), Stm32());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Priority<3>) -> decltype(port->begin(0, Config()), ByFormat());
+auto kindOf(Port *port, HardwareSerial *, Rank<3>) -> decltype(port->begin(0, Config()), ByFormat());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Priority<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
+auto kindOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
 template <typename Port>
-OpenAlready kindOf(Port *, Stream *, Priority<1>);
+OpenAlready kindOf(Port *, Stream *, Rank<1>);
 #if defined(SBUS_TEENSY4)
-Teensy4 kindOf(HardwareSerialIMXRT *port, HardwareSerial *, Priority<5>);
+Teensy4 kindOf(HardwareSerialIMXRT *port, HardwareSerial *, Rank<5>);
 #endif
 #if defined(SBUS_NRF52)
-Nrf52 kindOf(Uart *port, HardwareSerial *, Priority<5>);
+Nrf52 kindOf(Uart *port, HardwareSerial *, Rank<5>);
 #endif
 // The kind of a port of this class.
 template <typename Port>
-using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Priority<5>()));
+using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Rank<5>()));
 
 // The kind of the core's own ports.
 using CoreKind = KindOf<HardwareSerial>;

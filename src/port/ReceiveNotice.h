@@ -68,23 +68,23 @@ inline FrameEnd frameEndOfCallback(ReceiveNotice notice, unsigned found, uint32_
 
 #if defined(SERIAL_SBUS)  // stm32l0_uart.c:53, 280, 653
 template <typename Port>
-auto noticeOf(Port *port, HardwareSerial *, Priority<2>) -> decltype(port->onReceive(nullptr), ReceiveNotice()) {
+auto noticeOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->onReceive(nullptr), ReceiveNotice()) {
   return ReceiveNotice::Dma16;
 }
 #elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR (HardwareSerial_private.h:101), STM32 (uart.c, HAL_UART_Receive_IT of 1)
 template <typename Port>
-ReceiveNotice noticeOf(Port *, HardwareSerial *, Priority<1>) {
+ReceiveNotice noticeOf(Port *, HardwareSerial *, Rank<1>) {
   return ReceiveNotice::EachCharacter;
 }
 #elif defined(SBUS_TEENSY4)  // whose available() looks into the FIFO (cores 7f107ee, teensy4/HardwareSerial.cpp:449)
-inline ReceiveNotice noticeOf(HardwareSerialIMXRT *, HardwareSerial *, Priority<1>) {
+inline ReceiveNotice noticeOf(HardwareSerialIMXRT *, HardwareSerial *, Rank<1>) {
   return ReceiveNotice::EachCharacter;
 }
 #endif
 // arduino-pico: its available() looks into the FIFO. Its UART does not check the second stop bit (RP2040 datasheet,
 // 4.2.2).
 template <typename Port>
-auto noticeOf(Port *port, HardwareSerial *, Priority<2>) -> decltype(port->setInvertRX(true), ReceiveNotice()) {
+auto noticeOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->setInvertRX(true), ReceiveNotice()) {
   return ReceiveNotice::Fifo;
 }
 // For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
@@ -94,7 +94,7 @@ auto noticeOf(Port *port, HardwareSerial *, Priority<2>) -> decltype(port->setIn
 // (FifoWatch.h). Core 3: esp-idf 01b912a, components/driver/uart/uart.c:32, arduino-esp32 8edd529,
 // HardwareSerial.cpp:19; core 2: esp-idf 002cd29, components/driver/uart.c:40.
 template <typename Port>
-ReceiveNotice noticeOf(Port *, Stream *, Priority<0>) {
+ReceiveNotice noticeOf(Port *, Stream *, Rank<0>) {
   return ReceiveNotice::Unknown;
 }
 

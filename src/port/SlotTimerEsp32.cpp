@@ -58,7 +58,7 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
     _mutex = xSemaphoreCreateMutexStatic(&mutexMemory);
   }
   const Lock lock;
-  limitBursts(port, HalfAFrame, Priority<1>());
+  limitBursts(port, HalfAFrame, Rank<1>());
   number = Number::of(port);
   sensor = context;
   dueCallback = due;

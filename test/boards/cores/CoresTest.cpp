@@ -240,7 +240,7 @@ TEST_CASE("inverts() returns whether the port can invert") {
 
 #if defined(ESP32)
 TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimerEsp32 finds that out") {
-  CHECK(sbus::noticeOf(&SBUS_PORT, &SBUS_PORT, sbus::Priority<2>()) == sbus::ReceiveNotice::Unknown);
+  CHECK(sbus::noticeOf(&SBUS_PORT, &SBUS_PORT, sbus::Rank<2>()) == sbus::ReceiveNotice::Unknown);
 }
 #endif
 

@@ -13,6 +13,7 @@
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  examples that say why they cannot run on this board, and what to do
 #   OUT/CORE/SBusUart.ok   SBUS_UART and SBUS_PINS are as boards.md says
+#   OUT/stm32l0/SlotTimer.ok  the timer of an STM32L0, which no stand-in has, compiles
 #   OUT/uno/NoServo.rejected  what the compiler says to Servos without the library Servo
 #   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
 # `make list` names all of these.
@@ -115,7 +116,7 @@ ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TAS
   $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected) \
   $(if $(filter stm32l0,$(core)),,$(OUT)/$(core)/NoBackground.rejected)) \
   $(foreach board,$(CORES) $(BOARDS),$(patsubst %,$(OUT)/$(board)/%,$(call compiled,$(board)) \
-  $(if $(call reason,$(board),Led),,SBusUart.ok))) $(OUT)/uno/NoServo.rejected $(OUT)/stm32l0-0.0/DmaSenderTest
+  $(if $(call reason,$(board),Led),,SBusUart.ok))) $(OUT)/uno/NoServo.rejected $(OUT)/stm32l0-0.0/DmaSenderTest $(OUT)/stm32l0/SlotTimer.ok
 
 all: $(ALL)
 list:
@@ -218,6 +219,11 @@ $(OUT)/$1/NoBackground.rejected: $(HERE)/NoBackground.cpp $(HERE)/build.mk
 endef
 $(foreach core,$(CORES) $(BOARDS),$(eval $(call core_rules,$(core))))
 
+# The stand-in has no timers.
+$(OUT)/stm32l0/SlotTimer.ok: $(ROOT)/src/port/SlotTimerStm32L0.cpp $(HERE)/build.mk
+	@mkdir -p $(@D) && rm -f $@
+	$(CXX) $(stm32l0_board) $(DEPENDENCIES) -DTIM7 -include Arduino.h -include stm32l0_dma.h -fsyntax-only $<
+	@touch $@
 $(OUT)/uno/NoServo.rejected: $(ROOT)/examples/Servos/Servos.ino $(HERE)/build.mk
 	@mkdir -p $(@D) && rm -f $@
 	! $(CXX) $(subst -idirafter $(HOST)/arduino,,$(uno_board)) -x c++ -include Arduino.h -fsyntax-only $< 2>$@
