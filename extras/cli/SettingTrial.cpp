@@ -155,7 +155,7 @@ void SettingTrial::heardUntil(uint64_t us, uint64_t lateUs) {
   _lastUs = us;
 }
 
-// Returns how long no character comes in a silence: a missing frame is none.
+// Returns the shortest time without a character that counts as a silence: one missing frame does not.
 uint64_t SettingTrial::silenceUs() const {
   constexpr uint64_t PeriodMostUs = 500000;  // what comes more seldom is no line of frames
   const uint64_t us = _ends.size() < 3 ? 0 : median(intervals(_ends));

@@ -146,7 +146,8 @@ bool DmaSender::send(const HardwareSerial *port, const uint8_t *characters, size
 
 bool DmaSender::isFresh(const HardwareSerial *port) {
   const stm32l0_uart_params_t *const found = settings(port);
-  return found != nullptr && found->rx_dma != STM32L0_DMA_CHANNEL_NONE && stm32l0_dma_count(found->rx_dma) % HalfRing == 0;
+  return found != nullptr && found->rx_dma != STM32L0_DMA_CHANNEL_NONE &&
+         stm32l0_dma_count(found->rx_dma) % HalfRing == 0;
 }
 
 bool DmaSender::hears(const HardwareSerial *port) {

@@ -143,6 +143,7 @@ class FrameFinderOf : private Events {
   }
 
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
+  /// (Nearly always the frame has been delivered: then a search is spared, 46 cycles.)
   const uint8_t *ended() {
     if (_buffer.filled() == 0) {
       gapBefore(Silence::Gap);
@@ -481,7 +482,7 @@ class FrameFinderOf : private Events {
   uint8_t _rejected;   // headers rejected in this poll
   uint8_t _unread;     // bytes that waited at the newest poll, and were not read; 0: none
   uint16_t _found;     // bytes that this poll has found
-  bool _lossFollows;          // bytes were lost after those that this poll found
+  bool _lossFollows;   // bytes were lost after those that this poll found
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
   FrameSizeCheck<Format> _sizeCheck;
   LineTiming _timing;

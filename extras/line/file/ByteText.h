@@ -66,7 +66,7 @@ class ByteText {
   bool _isSwapped = false;  // a word's lowest byte comes first in the file, and last in the text
   size_t _lines = 0;        // of the head, with bytes
   size_t _frameLines = 0;   // that begin with a frame
-  size_t _filledLines = 0;  // that go on after it
+  size_t _filledLines = 0;  // that continue after it, or end before its tail
 
   TextBytes _held;          // the newest line's, if there are offsets
   uint64_t _at = 0;         // the offset after them
