@@ -368,7 +368,7 @@ class DecodeSBusOf : protected Polling {
         split = 0;
       }
     }
-    if (_port.isIdle() && bytes <= _port.half()) {
+    if (_port.isIdle() && bytes <= 2 * _port.half()) {
       if (const uint8_t *const frame = _finder.ended()) {
         updateLink(frame);
       }

@@ -55,7 +55,7 @@ double atLeast(uint64_t count, double mean) {
   if (mean <= 0) {
     return 0;
   }
-  const auto isSmall = [](double term, double sum) { return term < sum * 1e-12; };
+  const auto isSmall = [](double term, double sum) { return term <= sum * 1e-12; };  // both are 0 far from the mean
   const auto probability = [mean](double k) { return std::exp(k * std::log(mean) - mean - std::lgamma(k + 1)); };
   auto k = static_cast<double>(count);
   double sum = 0;

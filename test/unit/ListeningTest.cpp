@@ -128,6 +128,30 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("the silence after 36 characters that one call found is seen: what came before it is no part of the next frame") {
+  for (unsigned ring = 0; ring < 16; ring++) {
+    CAPTURE(ring);
+    Listening board;
+    board.send(Bytes(ring, 0x55));
+    board.pass(60 * Ms);
+    for (unsigned number = 0; number < 4; number++) {
+      board.frame(bytesOf(plainFrame(number)), 9 * Ms);
+    }
+    // 22 characters of one receiver, and 14 of another, which begins at once: the first 25 look like a frame. With the
+    // last 11 of them 14 of the next frame would look like a frame, too.
+    Frame parts{}, rest{}, next = Neutral.bytes;
+    parts[0] = rest[0] = 0x0F;
+    next[12] = next[13] = 0;
+    board.send(bytesOf(parts) + Bytes(rest.begin(), rest.begin() + 11));
+    board.pass(6 * Ms);
+    board.frames.clear();
+    board.frame(bytesOf(next), 9 * Ms);
+    board.frame(bytesOf(next), 9 * Ms);
+    CHECK(board.wrong(readBitByBit(next)) == 0);
+    CHECK(board.frames.size() == 2);
+  }
+}
+
 TEST_CASE("frameAge() is never less than a frame's age, however late the calls are, and not much more") {
   const struct {
     uint32_t latestUs;
