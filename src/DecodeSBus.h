@@ -368,15 +368,9 @@ class DecodeSBusOf : protected Polling {
         split = 0;
       }
     }
-    if (_port.isIdle() && bytes <= 2 * _port.half()) {
-      if (const uint8_t *const frame = _finder.ended()) {
-        updateLink(frame);
-      }
-      return;
-    }
     // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
     // bytes may stand before the loss or after it.
-    if (_port.losesNewest() && bytes > _port.half()) {
+    if (bytes > _port.half() && _port.losesNewest()) {
       int more = _port.available();
       if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
         _finder.bytesLost();
@@ -387,6 +381,12 @@ class DecodeSBusOf : protected Polling {
           }
           more -= count;
         }
+        return;
+      }
+    }
+    if (_port.isIdle()) {
+      if (const uint8_t *const frame = _finder.ended()) {
+        updateLink(frame);
       }
     }
   }
