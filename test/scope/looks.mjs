@@ -35,11 +35,15 @@ export default async function () {
       }, { size, colorScheme });
     }
   }
-  await check('at 200 % it fits, and axe-core finds nothing', async (page) => {
-    await reads(page, '#state', 'Fine');
-    await fits(page);
-    await clean(page);
-  }, { size: { width: 640, height: 400 }, deviceScaleFactor: 2 });
+  for (const [scale, size, most] of [[2, { width: 640, height: 400 }, 120], [4, { width: 320, height: 256 }, 90]]) {
+    await check(`at ${100 * scale} % it fits, its header leaves room, and axe-core finds nothing`, async (page) => {
+      await reads(page, '#state', 'Fine');
+      const { height } = await page.locator('.top').boundingBox();
+      assert.ok(height <= most, `the header has ${height} px`);
+      await fits(page);
+      await clean(page);
+    }, { size, deviceScaleFactor: scale });
+  }
 
   for (const [name, size] of Object.entries(sizes)) {
     await check(`${name}, no signal: it fits, and axe-core finds nothing`, async (page) => {

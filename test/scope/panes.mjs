@@ -21,10 +21,10 @@ export default async function () {
     await reads(page, '#state', 'Fine');
     assert.ok((await boxOf(page, '#channels')).left <= 24);
     assert.ok((await boxOf(page, '.curves')).right >= 2536);
-    assert.ok((await boxOf(page, '#plot')).height >= 500);
+    assert.ok((await boxOf(page, '#plot')).height >= 860);
     const canvas = await boxOf(page, '#plot canvas');
     assert.ok(Math.abs(canvas.height - (await boxOf(page, '#plot')).height) < 2, 'the curves do not fill their pane');
-    await above(page, '.frames', 1440);
+    await above(page, '#bit-text', 1440);
   }, { size: { width: 2560, height: 1440 } });
 
   await check('1280 x 800: channels, sticks and counters are above the fold', async (page) => {
@@ -92,7 +92,7 @@ export default async function () {
       await page.evaluate((px) => localStorage.setItem('sbus-scope-curves', px), kept);
       await page.reload();
       await reads(page, '#state', 'Fine');
-      assert.equal(await heightOf(page), height ?? Math.round(0.38 * 900));
+      assert.equal(await heightOf(page), height ?? 900 - 35 * 16);
     }
   });
 
