@@ -155,18 +155,17 @@ export default async function () {
   });
 
   await check('a board without a signal: its pins; the simulation: its button', async (page) => {
-    await connect(page, 'board');
-    await page.waitForSelector('#guide');
-    assert.match(await page.$eval('#guide', (guide) => guide.innerText), /Grasshopper\s+D0/);
-    await page.click('#source-simulated');
-    await reads(page, '#state', 'Fine');
-    assert.equal(await shown(page, '#guide'), false);
-    await page.selectOption('#fault', 'silent');
-    await page.waitForSelector('#guide');
-    assert.match(await page.$eval('#guide', (guide) => guide.innerText), /Cut the wire/);
-    await page.click('#cut');
-    await reads(page, '#state', 'Fine');
-    assert.equal(await shown(page, '#guide'), false);
+    for (const [silence, said, end] of [
+      [() => connect(page, 'board'), /Grasshopper\s+D0/, '#source-simulated'],
+      [() => page.selectOption('#fault', 'silent'), /Cut the wire/, '#cut'],
+    ]) {
+      await silence();
+      await page.waitForSelector('#guide');
+      assert.match(await page.$eval('#guide', (guide) => guide.innerText), said);
+      await page.click(end);
+      await reads(page, '#state', 'Fine');
+      assert.equal(await shown(page, '#guide'), false);
+    }
   });
 
   await check('no time is negative: not on the curves, not in the picture', async (page) => {

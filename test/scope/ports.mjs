@@ -184,15 +184,15 @@ export default async function () {
     }));
 
   await check('a notice fades by itself', async (page) => {
-    await page.clock.install();
-    await page.reload();
     await page.evaluate(() => (fake.choose = () => undefined));
     await page.click('#source-adapter');
     await reads(page, '#notice-text', 'No port was chosen.');
+    await page.hover('#notice-text');
+    const fading = () => page.evaluate(() => document.querySelector('#notice').getAnimations().map((each) => each.effect.getTiming().duration));
+    assert.deepEqual(await fading(), []); // it is read
     await page.mouse.move(5, 5);
-    await page.clock.fastForward(19000);
-    assert.ok(await page.isVisible('#notice'));
-    await page.clock.fastForward(2000);
+    assert.deepEqual(await fading(), [20000]);
+    await page.evaluate(() => document.querySelector('#notice').getAnimations()[0].finish());
     await page.waitForSelector('#notice', { state: 'hidden' });
   });
 
