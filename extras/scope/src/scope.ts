@@ -152,7 +152,7 @@ export class Scope implements Sink {
   }
 
   private enter(source: Source): void {
-    setZero(source.line.zeroUs);
+    setZero(source.line.file.zeroUs ?? 0);
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
     this.room.enter();

@@ -30,8 +30,9 @@ export class BookmarksView {
 
   enter(source: Source): void {
     this.source = source;
-    this.bookmarks.enter(source.line.bookmarks ?? []);
-    this.save.hidden = source.line.bookmarks === undefined;
+    const { bookmarks } = source.line.file;
+    this.bookmarks.enter(bookmarks ?? []);
+    this.save.hidden = bookmarks === undefined;
   }
 
   // Call it for each picture.
@@ -39,7 +40,7 @@ export class BookmarksView {
     const { all } = this.bookmarks;
     if (all !== this.shown) {
       this.shown = all;
-      byId('bookmarks').hidden = all.length === 0 && !this.source?.line.bookmarks?.length;
+      byId('bookmarks').hidden = all.length === 0 && !this.source?.line.file.bookmarks?.length;
       this.rows = new Map(all.map((bookmark) => [bookmark, this.rows.get(bookmark) ?? this.row(bookmark)]));
       const rows = new Set<Element>(this.rows.values()); // those that stay keep the focus
       [...this.list.children].filter((row) => !rows.has(row)).forEach((row) => row.remove());

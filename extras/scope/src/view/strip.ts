@@ -74,7 +74,7 @@ export class Strip {
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
-  draw({ line: { faults: map, flight, lengthUs }, found, isLast }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
+  draw({ line: { faults: map, flight }, lengthUs, found, isLast }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
     if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
       this.shownFlight = flight;
