@@ -217,6 +217,7 @@ export default async function () {
         const colors = {
           bar: [of('.fill'), of('.track')],
           mark: [of('.mark'), of('.track')],
+          silence: [of('.fault-counts .silence', 'stroke'), of('.fault-counts .lost', 'fill')],
           bit: [of('.eight i.one'), of('.eight i:not(.one)')],
           button: [of('#source-simulated'), of('#source-adapter')],
           indicator: [of('.indicator[data-on="true"] i'), of('.indicator[data-on="false"] i')],

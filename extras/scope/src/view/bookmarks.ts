@@ -64,12 +64,12 @@ export class BookmarksView {
   private row(bookmark: Bookmark): HTMLElement {
     const time = clock(bookmark.us);
     const go = make('button', {}, time);
-    const name = make('input', { type: 'text', value: bookmark.name, maxlength: longestName, 'aria-label': `Name of the bookmark at ${time}` });
+    const name = make('input', { type: 'text', value: bookmark.name, title: bookmark.name, maxlength: longestName, 'aria-label': `Name of the bookmark at ${time}` });
     const remove = make('button', { 'aria-label': `Remove the bookmark at ${time}`, title: 'Remove' }, '×');
     go.addEventListener('click', () => this.visit(bookmark.us));
     name.addEventListener('change', () => {
       this.bookmarks.rename(bookmark, name.value);
-      name.value = bookmark.name;
+      name.value = name.title = bookmark.name;
     });
     remove.addEventListener('click', () => this.bookmarks.remove(bookmark));
     return make('li', {}, go, name, remove);
