@@ -103,7 +103,7 @@ class Parser {
   bool named() {
     Step step{Moment::Age};
     if (take("age")) {
-      return range(step, "a time such as 50ms or 0.05, in seconds, is expected") && add(inUs(step));
+      return range(step, "a time with its unit, such as 50ms or 0.05s, is expected") && inUs(step) && add(step);
     }
     if (take("quality")) {
       step.which = Moment::Quality;
@@ -167,11 +167,11 @@ class Parser {
     return true;
   }
 
-  Step inUs(Step step) {
-    const double us = take("ms") ? 1e3 : (take("s"), 1e6);
+  bool inUs(Step &step) {
+    const double us = take("ms") ? 1e3 : take("s") ? 1e6 : 0;
     step.low *= us;
     step.high *= us;
-    return step;
+    return us > 0 || failAtNumber();
   }
 
   // Takes the unit of a channel's range, and converts the range to raw values.
@@ -179,9 +179,8 @@ class Parser {
     const bool isPercent = _token == "%" || _token == "percent";
     if (!isPercent && _token != "us" && _token != "\xC2\xB5s" && _token != "\xCE\xBCs") {
       take("raw");
-      const bool good = _anyNumber || (_number >= 0 && _number <= sbus::ChannelMax);
-      _error = good ? _error : _numberAt;
-      return good;
+      const bool isRaw = _number >= 0 && _number <= sbus::ChannelMax;
+      return _anyNumber || (isRaw && step.low <= sbus::ChannelMax && step.high >= 0) || failAtNumber();
     }
     if (!_shown) {
       return fail("leave out us and %: a board's numbers are compared as printed");
@@ -198,7 +197,7 @@ class Parser {
     }
     step.low = first.value_or(1);  // no value is in 1..0
     step.high = last;
-    return true;
+    return first || step.outside || failAtNumber();
   }
 
   bool add(const Step &step) {
@@ -224,6 +223,11 @@ class Parser {
 
   bool fail(const char *text) {
     _error = {text, _at, _token.size()};
+    return false;
+  }
+
+  bool failAtNumber() {
+    _error = _numberAt;
     return false;
   }
 

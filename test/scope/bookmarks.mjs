@@ -60,6 +60,7 @@ export default async function () {
     await reads(page, '#bookmark-announcement', 'Bookmark 2 at 0:01.500');
     await rename(page, 'Bookmark 2', '  take <off> ');
     await lists(page, ['0:01.500 take <off>', '0:03.000 Bookmark 1']);
+    assert.equal(await page.getAttribute('#bookmarks-list input', 'title'), 'take <off>'); // all of a long one
     const strip = () => page.getAttribute('#strip .bookmark', 'd');
     const places = [...(await strip()).matchAll(/M([\d.]+)/g)].map(([, x]) => (Number(x) * ramp.lengthS) / 512);
     assert.ok(Math.abs(places[0] - 1.5) < 0.01 && Math.abs(places[1] - 3) < 0.01, String(places));

@@ -89,6 +89,16 @@ export default async function () {
     assert.equal(await page.textContent('#play'), 'Play');
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
+  await check('two rates are told: frames differ by them', async (page) => {
+    const [slow, fast] = [9, 14].map((period) => Array.from({ length: Math.floor(20000 / period) }, (_, i) =>
+      recorded(1000 * period * (i + 1), frame([Math.round(1000 + 600 * Math.sin((period * i) / 400)), 992]))).join(''));
+    await playPaused(page, 'rate9.txt', slow);
+    await seek(page, 15000);
+    writeFileSync(path.join(build, 'rate14.txt'), fast);
+    await page.setInputFiles('#second-file', path.join(build, 'rate14.txt'));
+    await reads(page, '#second-text', /A sends every 9\.00 ms, B every 14\.00 ms: frames differ while sticks move\. \d+ frames alike, \d+ different;/);
+  });
+
   await check("B's curves are at the same moments as A's, also after a seek and while it plays", async (page) => {
     await playPaused(page, a);
     await seek(page, 20000);

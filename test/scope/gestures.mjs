@@ -13,11 +13,13 @@ export default async function () {
     const [x, y] = await placeOf(page, 300);
     await page.mouse.move(x, y);
     await readsFrame(page, 300);
+    await page.keyboard.down('Control');
     await page.mouse.wheel(0, -250);
     await reads(page, '#window', '1 s');
     await readsFrame(page, 300);
     await reads(page, '#pause', 'Continue');
     await page.mouse.wheel(0, 125);
+    await page.keyboard.up('Control');
     await reads(page, '#window', '1.41 s');
     await readsFrame(page, 300);
     await page.mouse.down();
@@ -33,10 +35,19 @@ export default async function () {
     await reads(page, '#pause', 'Pause');
   });
 
-  await check('on a running line, zooming in with the wheel pauses, zooming out follows the newest, and the page does not scroll', async (page) => {
+  await check('on a running line, the wheel scrolls the page, but with the key that the page names it zooms: in, and the line pauses; out, and it follows the newest', async (page) => {
     await reads(page, '#state', 'Fine');
     const box = await page.locator('#plot .u-over').boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + 100);
+    await page.mouse.wheel(0, 60);
+    await until('the page does not scroll', () => page.evaluate(() => scrollY === 60));
+    await page.mouse.wheel(0, -60);
+    await until('the page does not scroll back', () => page.evaluate(() => scrollY === 0));
+    await reads(page, '#window', '10 s');
+    await page.mouse.move(5, 5);
+    await reads(page, '#readout', 'Drag to scroll, Ctrl and the wheel to zoom.');
+    await page.mouse.move(box.x + box.width / 2, box.y + 100);
+    await page.keyboard.down('Control');
     for (let i = 0; i < 8; i++) await page.mouse.wheel(0, 500);
     await reads(page, '#window', '240 s');
     await reads(page, '#pause', 'Pause');

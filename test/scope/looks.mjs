@@ -27,43 +27,45 @@ export const fits = async (page) => {
 
 export default async function () {
   for (const [name, size] of Object.entries(sizes)) {
-    for (const colorScheme of ['light', 'dark']) {
-      await check(`${name}, ${colorScheme}: it fits, and axe-core finds nothing`, async (page) => {
-        await reads(page, '#state', 'Fine');
+    await check(`${name}: a running line, dark and light, a recording with its strip, and no signal fit, and axe-core finds nothing`, async (page) => {
+      const isGood = async () => {
         await fits(page);
         await clean(page);
-      }, { size, colorScheme });
-    }
-  }
-  await check('at 200 % it fits, and axe-core finds nothing', async (page) => {
-    await reads(page, '#state', 'Fine');
-    await fits(page);
-    await clean(page);
-  }, { size: { width: 640, height: 400 }, deviceScaleFactor: 2 });
-
-  for (const [name, size] of Object.entries(sizes)) {
-    await check(`${name}, no signal: it fits, and axe-core finds nothing`, async (page) => {
+      };
+      await reads(page, '#state', 'Fine');
+      await isGood();
+      await page.click('#theme');
+      await isGood();
+      await playToEnd(page, path.join(root, 'test/recordings/paper.txt'));
+      await page.click('#fault-back');
+      await reads(page, '#fault-text', 'Fault 1 of 1: no frames, 0:00.181 to 0:00.363.');
+      await isGood();
       await connect(page);
       await page.waitForSelector('#guide');
-      await fits(page);
-      await clean(page);
+      await isGood();
     }, { size });
   }
+  for (const [scale, size, most] of [[2, { width: 640, height: 400 }, 120], [4, { width: 320, height: 256 }, 90]]) {
+    await check(`at ${100 * scale} % it fits, its header leaves room, and axe-core finds nothing`, async (page) => {
+      await reads(page, '#state', 'Fine');
+      const { height } = await page.locator('.top').boundingBox();
+      assert.ok(height <= most, `the header has ${height} px`);
+      await fits(page);
+      await clean(page);
+    }, { size, deviceScaleFactor: scale });
+  }
+
   for (const colorScheme of ['light', 'dark']) {
-    await check(`stale, ${colorScheme}: axe-core finds nothing`, async (page) => {
+    await check(`stale, noise and failsafe, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await reads(page, '#state', 'Fine');
       await page.click('#cut');
       await reads(page, '#verdict-text', /^Signal lost/);
       await page.click('#calibrate');
       await clean(page);
-    }, { colorScheme });
-    await check(`noise, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await page.selectOption('#fault', 'noise');
       await page.selectOption('#receiver', '32');
       await reads(page, '#verdict-text', /^Noise/);
       await clean(page);
-    }, { colorScheme });
-    await check(`failsafe, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await page.evaluate(async () => {
         const frame = [0x0f, ...new Array(22).fill(0x11), 0x0f, 0]; // after a 00 its flags would be a second header
         fake.port.onOpen = () => fake.every(9, frame);
@@ -72,16 +74,6 @@ export default async function () {
       await reads(page, '#state', 'Failsafe');
       await clean(page);
     }, { colorScheme });
-  }
-
-  for (const [name, size] of Object.entries(sizes)) {
-    await check(`${name}, a recording with its strip: it fits, and axe-core finds nothing`, async (page) => {
-      await playToEnd(page, path.join(root, 'test/recordings/paper.txt'));
-      await page.click('#fault-back');
-      await reads(page, '#fault-text', 'Fault 1 of 1: no frames, 0:00.181 to 0:00.363.');
-      await fits(page);
-      await clean(page);
-    }, { size });
   }
 
   await check('the theme follows the system until its button is pressed', async (page) => {
@@ -225,6 +217,7 @@ export default async function () {
         const colors = {
           bar: [of('.fill'), of('.track')],
           mark: [of('.mark'), of('.track')],
+          silence: [of('.fault-counts .silence', 'stroke'), of('.fault-counts .lost', 'fill')],
           bit: [of('.eight i.one'), of('.eight i:not(.one)')],
           button: [of('#source-simulated'), of('#source-adapter')],
           indicator: [of('.indicator[data-on="true"] i'), of('.indicator[data-on="false"] i')],

@@ -11,6 +11,7 @@ const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
     };
   }, [bytes, baud, everyMs, latencyMs]);
 
+const good = frame([1000]);
 const rawOf = (channel) => `#bars li:nth-child(${channel}) .raw`;
 
 export default async function () {
@@ -49,6 +50,10 @@ export default async function () {
       })), ['#verdict-text', /^No frames/]],
     ['a port with frames with header 2F is decoded', (page) => brings(page, [...frame(Array.from({ length: 16 }, (_, i) => 1500 + i), { header: 0x2f }), ...frame([1100])], 100000, 18),
       [rawOf(32), '1515'], [rawOf(1), '1100']],
+    ["a board's rows are recognised though the button for adapters was pressed", (page) => brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50),
+      [rawOf(1), '995'], ['#verdict-text', 'Receiving rows from a board.']],
+    ['a damaged frame among good ones is shown with its reason', (page) => opensWith(page, [good, good, good, [...good.slice(0, 5), ...good.slice(6)], good, good]),
+      ['[data-counter="frames"]', '5'], ['[data-counter="discardedBytes"]', '24'], ['[data-counter="resyncs"]', '1'], ['#lines .none .why', /no end byte|incomplete/]],
   ]) {
     await check(sentence, async (page) => {
       await begin(page);
@@ -184,15 +189,15 @@ export default async function () {
     }));
 
   await check('a notice fades by itself', async (page) => {
-    await page.clock.install();
-    await page.reload();
     await page.evaluate(() => (fake.choose = () => undefined));
     await page.click('#source-adapter');
     await reads(page, '#notice-text', 'No port was chosen.');
+    await page.hover('#notice-text');
+    const fading = () => page.evaluate(() => document.querySelector('#notice').getAnimations().map((each) => each.effect.getTiming().duration));
+    assert.deepEqual(await fading(), []); // it is read
     await page.mouse.move(5, 5);
-    await page.clock.fastForward(19000);
-    assert.ok(await page.isVisible('#notice'));
-    await page.clock.fastForward(2000);
+    assert.deepEqual(await fading(), [20000]);
+    await page.evaluate(() => document.querySelector('#notice').getAnimations()[0].finish());
     await page.waitForSelector('#notice', { state: 'hidden' });
   });
 
@@ -217,60 +222,32 @@ export default async function () {
     await until('it is not opened again', async () => (await opened()).startsWith('100000,200000,100000'));
   });
 
-  await check('a damaged frame among good ones is shown with its reason', async (page) => {
-    const good = frame([1000]);
-    const bad = frame([1000]);
-    bad.splice(5, 1);
-    await opensWith(page, [good, good, good, bad, good, good]);
-    await connect(page);
-    await counts(page, 'frames', 5);
-    await counts(page, 'discardedBytes', 24);
-    await counts(page, 'resyncs', 1);
-    await reads(page, '#lines .none .why', /no end byte|incomplete/);
-  });
-
-  for (const [columns, row, channels, indicators] of [
-    [4, '832,626,1811,866', { 1: '832', 4: '866' }, []],
-    [6, '1000,626,172,866,1,0', { 1: '1000', 3: '172' }, ['failsafe']],
-    [6, '1000,626,172,866,0,1', { 1: '1000', 3: '172' }, ['lost-frame']],
-    [18, '1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,1,1', { 1: '1', 16: '16' }, ['ch17', 'ch18']],
-    [24, Array.from({ length: 24 }, (_, i) => 100 + i).join(','), { 1: '100', 24: '123' }, []],
-    [4, '0.732,0.469,-0.599,-0.043', { 1: '0.732', 3: '-0.599' }, []],
-    [4, '731,469,1000,-262', { 1: '731', 4: '-262' }, []],
+  // A row, how many of its numbers are channels, some of them, and the indicators that it lights, of two.
+  for (const [row, count, channels, indicators = []] of [
+    ['832,626,1811,866', 4, { 1: '832', 4: '866' }],
+    ['1000,626,172,866,1,0', 4, { 1: '1000', 3: '172' }, ['failsafe']],
+    ['1000,626,172,866,0,1', 4, { 1: '1000', 3: '172' }, ['lost-frame']],
+    ['1,2,3,4,5,0', 6, { 5: '5', 6: '0' }], // 5 is no flag
+    ['1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,1,1', 16, { 1: '1', 16: '16' }, ['ch17', 'ch18']],
+    [Array.from({ length: 24 }, (_, i) => 100 + i).join(','), 24, { 1: '100', 24: '123' }],
+    ['0.732,0.469,-0.599,-0.043', 4, { 1: '0.732', 3: '-0.599' }],
+    ['731,469,1000,-262', 4, { 1: '731', 4: '-262' }],
+    ['1500 1000 0', 3, { 1: '1500', 2: '1000', 3: '0' }],
+    ['1500\t1000\t', 2, { 1: '1500', 2: '1000' }],
+    ['throttle:172,roll:992', 2, { 1: '172', 2: '992' }],
   ]) {
-    await check(`a board that prints ${columns} columns, ${row.slice(0, 12)}..., is recognised`, async (page) => {
+    await check(`a board that prints ${row.slice(0, 24)}... is recognised, and has ${count} channels`, async (page) => {
       await brings(page, codes(`${row}\r\n`), 115200, 100);
       await connect(page, 'board');
-      for (const [channel, value] of Object.entries(channels)) {
-        await reads(page, `#bars li:nth-child(${channel}) .raw`, value);
-      }
-      for (const indicator of indicators) {
-        await lit(page, indicator);
-      }
+      for (const [channel, value] of Object.entries(channels)) await raw(page, channel, value);
+      for (const indicator of indicators) await lit(page, indicator);
       await reads(page, '#verdict-text', indicators.includes('failsafe') ? /^Failsafe/ : 'Receiving rows from a board.');
-      assert.equal(await page.locator('.indicator:visible').count(), columns === 18 || columns === 6 ? 2 : 0);
-      const shown = { 18: 16, 6: 4 }[columns] ?? columns;
-      assert.equal(await page.locator('#bars li:visible').count(), shown);
+      assert.equal(await page.locator('.indicator:visible').count(), indicators.length > 0 ? 2 : 0);
+      assert.equal(await page.locator('.indicator[data-on="true"]').count(), indicators.length);
+      assert.equal(await page.locator('#bars li:visible').count(), count);
       assert.equal(await page.locator('#lines li:visible').count(), 0);
       await until('text is counted as discarded bytes', async () => !(await page.isVisible('[data-counter="discardedBytes"]')));
       assert.deepEqual((await page.evaluate(() => fake.port.opened))[0], { baudRate: 115200, bufferSize: 4096 });
-    });
-  }
-
-  for (const [row, shown] of [
-    ['1500 1000 0', ['1500', '1000', '0']],
-    ['1500\t1000\t', ['1500', '1000']],
-    ['throttle:172,roll:992', ['172', '992']],
-    ['1,2,3,4,5,0', ['1', '2', '3', '4', '5', '0']], // six channels: 5 is no flag
-  ]) {
-    await check(`each number of a board that prints "${row}" is a channel`, async (page) => {
-      await brings(page, codes(`${row}\r\n`), 115200, 100);
-      await connect(page, 'board');
-      for (const [i, value] of shown.entries()) {
-        await reads(page, `#bars li:nth-child(${i + 1}) .raw`, value);
-      }
-      assert.equal(await page.locator('#bars li:visible').count(), shown.length);
-      assert.equal(await page.locator('.indicator[data-on="true"]').count(), 0);
     });
   }
 
@@ -327,13 +304,6 @@ export default async function () {
     await reads(page, '#state', 'Stale');
   });
 
-  await check("a board's rows are recognised though the button for adapters was pressed", async (page) => {
-    await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);
-    await connect(page);
-    await raw(page, 1, '995');
-    await reads(page, '#verdict-text', 'Receiving rows from a board.');
-  });
-
   await check('a board that falls silent is stale; a board that prints text is not taken for one that prints rows', async (page) => {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 115200, 50);
     await connect(page, 'board');
@@ -361,5 +331,4 @@ export default async function () {
     await counts(page, 'resyncs', /^0?$/);
     await reads(page, '#verdict-text', /^All well/);
   });
-
 }

@@ -144,6 +144,7 @@ export default async function () {
       else dataTransfer.items.add(new File(['x'], 'x.txt'));
       const event = new DragEvent('dragover', { dataTransfer, cancelable: true });
       dispatchEvent(event);
+      dispatchEvent(new DragEvent('dragleave', { dataTransfer, relatedTarget: document.querySelector('main') }));
       return [event.defaultPrevented, document.querySelector('#drop').hidden];
     }, type);
     assert.deepEqual(await drag('text'), [false, true]);

@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { check, counts, lit, raw, reads, until } from './support.mjs';
 
+const counted = (name) => `[data-counter="${name}"]`;
+
 export default async function () {
   await check('a check leaves storage, a script and a pressed key behind', async (page) => {
     await page.evaluate(async () => {
@@ -72,19 +74,19 @@ export default async function () {
     });
   }
 
-  await check('simulated noise shows as character errors, discarded bytes and the verdict Noise', async (page) => {
-    await page.selectOption('#fault', 'noise');
-    await reads(page, '#verdict-text', /^Noise: frames are damaged/);
-    await counts(page, 'characterErrors', /^\d\d/);
-    await counts(page, 'discardedBytes', /^\d\d/);
-    await page.waitForSelector('#lines .none');
-  });
-
-  await check('without any signal the page says so from the start, in all settings', async (page) => {
-    await page.selectOption('#fault', 'silent');
-    await reads(page, '#verdict-text', 'No signal: not a byte with any setting.');
-    await counts(page, 'frames', 0);
-  });
+  for (const [sentence, of, choice, ...shown] of [
+    ['simulated noise shows as character errors, discarded bytes and the verdict Noise', '#fault', 'noise',
+      ['#verdict-text', /^Noise: frames are damaged/], [counted('characterErrors'), /^\d\d/], [counted('discardedBytes'), /^\d\d/], ['#lines .none .why', /./]],
+    ['without any signal the page says so from the start, in all settings', '#fault', 'silent',
+      ['#verdict-text', 'No signal: not a byte with any setting.'], [counted('frames'), '0']],
+    ['32 channels are shown, also those of the frames with header 2F', '#receiver', '32',
+      ['#bars li:nth-child(32) .raw', /^1[67]\d\d$/], [counted('extraFrames'), /^[1-9]/], ['#rate', /^5[5-7]$/], ['#indicator-ch17', /^DG1/]],
+  ]) {
+    await check(sentence, async (page) => {
+      await page.selectOption(of, choice);
+      for (const [where, text] of shown) await reads(page, where, text);
+    });
+  }
 
   await check('24 channels are all shown, without switches', async (page) => {
     await page.selectOption('#receiver', '24');
@@ -94,14 +96,6 @@ export default async function () {
     await raw(page, 24, /^1[234]\d\d$/);
     await until('its bytes are not shown', async () => (await page.locator('#bits .byte').count()) === 36);
     assert.equal(await page.locator('.indicator:visible').count(), 2);
-  });
-
-  await check('32 channels are shown, also those of the frames with header 2F', async (page) => {
-    await page.selectOption('#receiver', '32');
-    await raw(page, 32, /^1[67]\d\d$/);
-    await counts(page, 'extraFrames', /^[1-9]/);
-    await reads(page, '#rate', /^5[5-7]$/);
-    await reads(page, '#indicator-ch17', /^DG1/);
   });
 
   await check("failsafe shows in the verdict, the indicator, the receiver's failsafe values and the curves", async (page) => {

@@ -46,10 +46,13 @@ const endUs = (i) => 10000 * (i + 1) + 2880 + (i >= 300 ? 500000 : 0);
 
 export default async function () {
   await check('a condition that is none is said with its place, which is selected', async (page) => {
+    await reads(page, '#state', 'Fine');
     await page.click('#trigger-open');
     for (const [condition, said, from, to] of [
       ['', 'Character 1: a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected.', 0, 0],
       ['ch5 >', 'Character 6: a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected.', 5, 5],
+      ['ch5 > 2047', 'Character 7: a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected.', 6, 10],
+      ['age > 50', 'Character 7: a time with its unit, such as 50ms or 0.05s, is expected.', 6, 8],
       ['ch33 > 1', 'Character 1: a channel from ch1 to ch32 is expected.', 0, 4],
       ['failsafe or ch5 ? 3', 'Character 17: <, <=, >, >=, = or != is expected.', 16, 17],
       ['ch5 > 1500 volt', 'Character 12: &&, || or the end is expected.', 11, 15],

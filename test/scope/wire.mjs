@@ -100,8 +100,10 @@ export default async function () {
     }
   });
 
-  await check('the wire zooms from a whole capture to two bits, and follows the recording', async (page) => {
+  await check('the wire zooms from a whole capture to two bits, and follows the recording; faults, curves, bits and wire are on one screen', async (page) => {
     await playPaused(page, 'wire.vcd', vcd);
+    const below = () => page.$$eval('#fault-next, #plot, #bits, #wire-plot', (all) => all.map((each) => [each.id, each.getBoundingClientRect().bottom + scrollY]).filter(([, bottom]) => bottom > 900));
+    await until(async () => `below 900 px: ${await below()}`, async () => (await below()).length === 0);
     await seek(page, 10000);
     for (let i = 0; i < 9; i++) await page.click('#wire-out');
     await reads(page, '#wire-width', /^28\.\d s$/);

@@ -156,9 +156,19 @@ std::vector<FlightRating> stripOf(const FlightLog &flight, size_t count) {
 std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count) {
   std::vector<FlightRating> worst;
   Judge judge(flight);
+  std::vector<FlagSpan> listed;
+  for (const auto kind : {FlagSpan::Kind::Failsafe, FlagSpan::Kind::NoPulses, FlagSpan::Kind::NoFrames}) {
+    const std::vector<FlagSpan> some = longest(flight.spans(kind), count);
+    listed.insert(listed.end(), some.begin(), some.end());
+  }
+  const auto isListed = [&listed](const FlightRating &part) {
+    return std::any_of(listed.begin(), listed.end(), [&part](const FlagSpan &span) {
+      return span.fromUs < part.toUs && span.toUs > part.fromUs;
+    });
+  };
   for (uint64_t second = flight.firstUs() / SecondUs; second <= flight.lastUs() / SecondUs; second++) {
     const FlightRating part = judge.of(second, second + 1);
-    if (part.lost > 0 || part.failsafe) {
+    if ((part.lost > 0 || part.failsafe) && !isListed(part)) {
       worst.push_back(part);
     }
     if (worst.size() == 2 * count || second == flight.lastUs() / SecondUs) {

@@ -33,7 +33,7 @@ constexpr const char *Style =
     "th,td{padding:2px 18px 2px 0;border-bottom:1px solid var(--edge)}td.n,th.n{text-align:right}"
     "svg{width:100%;height:auto}.strip rect{shape-rendering:crispEdges}.base{fill:var(--edge)}"
     ".lost{fill:var(--lost)}.failsafe{fill:var(--failsafe)}.silent{fill:var(--silent)}.late{fill:var(--late)}"
-    ".key i{display:inline-block;width:12px;height:12px;margin:0 4px 0 14px;vertical-align:-1px}"
+    ".key i{print-color-adjust:exact;display:inline-block;width:12px;height:12px;margin:0 4px 0 14px;vertical-align:-1px}"
     "i.lost{background:var(--lost)}i.failsafe{background:var(--failsafe)}i.silent{background:var(--silent)}"
     "i.late{background:var(--late)}.columns{display:flex;flex-wrap:wrap;gap:0 48px}section{break-inside:avoid}";
 
@@ -132,8 +132,10 @@ std::string worst(const FlightLog &flight) {
     rows += "<tr>" + cell(timeText(flight.shownUs(part.fromUs))) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
             listed(part.kind()).cause + "</td></tr>\n";
   }
-  return "<section><h2>The worst seconds</h2>\n" +
-         (rows.empty() ? "<p>No second has a lost frame.</p>"
+  const std::string other = flight.spans(FlagSpan::Kind::Failsafe).size() + flight.spans(FlagSpan::Kind::NoPulses).size() +
+                                        flight.spans(FlagSpan::Kind::NoFrames).size() > 0 ? "other " : "";
+  return "<section><h2>The worst " + other + "seconds</h2>\n" +
+         (rows.empty() ? "<p>No " + other + "second has a lost frame.</p>"
                        : "<table><tr><th class=\"n\">from</th><th class=\"n\">frames lost</th><th></th></tr>\n" + rows +
                              "</table>") +
          "</section>\n";

@@ -77,11 +77,11 @@ export class Core {
     return this.native.thousandths(channel, raw) / 10;
   }
 
-  // Reads a text such as "ch5 > 1500 us && !failsafe". `isBoard`: it compares the numbers of a board.
-  condition(text: string, isBoard: boolean): Condition {
+  // Reads a text such as "ch5 > 1500 us && !failsafe". `isBoard`: it compares the numbers of a board; undefined while that is not known.
+  condition(text: string, isBoard?: boolean): Condition {
     const bytes = new TextEncoder().encode(`${text} `);
     let at = 0;
-    this.memory.transfer(bytes, (count) => (at = this.native.readCondition(count, Number(isBoard))));
+    this.memory.transfer(bytes, (count) => (at = this.native.readCondition(count, Number(isBoard ?? 2))));
     const { buffer } = this.native.memory;
     const { error, errorAt, errorLength, steps, size } = new ReadConditionReader(new DataView(buffer), at);
     const place = (end: number): number => new TextDecoder().decode(bytes.subarray(0, end)).length;

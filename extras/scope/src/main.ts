@@ -226,7 +226,7 @@ function takeDrops(curtain: HTMLElement): void {
       curtain.hidden = false;
     }
   });
-  addEventListener('dragleave', (event) => (curtain.hidden = event.relatedTarget === null));
+  addEventListener('dragleave', (event) => (curtain.hidden ||= event.relatedTarget === null));
   addEventListener('drop', (event) => {
     curtain.hidden = true;
     const [item] = event.dataTransfer?.items ?? [];

@@ -152,7 +152,7 @@ export class Scope implements Sink {
   }
 
   private enter(source: Source): void {
-    setZero(source.line.zeroUs);
+    setZero(source.line.file.zeroUs ?? 0);
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
     this.room.enter();
@@ -266,7 +266,7 @@ export class Scope implements Sink {
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the bookmarks': () => this.bookmarksView.draw(),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
-      'The comparison': () => this.secondView.draw(this.curves.shownAs),
+      'The comparison': () => this.secondView.draw(this.curves.shownAs, status.gapMeanUs),
       'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
       'The view of the bytes': () => this.frames.draw(),

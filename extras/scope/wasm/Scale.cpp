@@ -48,7 +48,7 @@ EXPORT(readCondition)(unsigned count, int isBoard)->const ReadCondition * {
   const auto shown = [](unsigned channel, uint16_t raw, bool isPercent) {
     return isPercent ? thousandths(channel, raw) / 10.0 : microseconds(channel, raw);
   };
-  condition = line::Condition(transferred(count), isBoard != 0 ? line::Condition::Shown() : shown, true);
+  condition = line::Condition(transferred(count), isBoard == 1 ? line::Condition::Shown() : shown, isBoard != 0);
   const auto &[text, at, length] = condition.error();
   const std::vector<line::Condition::Step> &steps = condition.steps();
   answer = {text.c_str(), at, length, steps.data(), steps.size() * sizeof steps[0]};

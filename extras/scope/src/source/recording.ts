@@ -24,13 +24,14 @@ export class RecordingSource implements Source {
   // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
     const line = await Remote.read(core, file, signal, progress);
-    const began = line.startUs === undefined ? '' : `of ${new Date(line.startUs / 1000).toLocaleString()}`;
-    const words = line.carrier ? [`Capture ${file.name}`, line.carrier] : [`Recording ${file.name}`, began, line.note];
+    const { startUs, carrier, note } = line.file;
+    const began = startUs === undefined ? '' : `of ${new Date(startUs / 1000).toLocaleString()}`;
+    const words = carrier ? [`Capture ${file.name}`, carrier] : [`Recording ${file.name}`, began, note];
     return () => new RecordingSource(line, words.filter(Boolean).join(', '), file);
   }
 
   get lengthUs(): number {
-    return this.line.lengthUs;
+    return this.line.file.lengthUs;
   }
 
   get progress(): string {

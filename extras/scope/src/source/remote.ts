@@ -2,7 +2,7 @@
 
 import type { Core } from '../core';
 import type { Sink, Status } from '../line';
-import type { Answer, Bookmark, Comparison, Envelope, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
+import type { Answer, Comparison, Envelope, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -35,9 +35,6 @@ let lines = 0;
 
 export class Remote {
   wantedUs = 0; // the position to play to
-  note = ''; // what a user should know of a file
-  zeroUs = 0; // a file's own time at time 0, not above 0
-  startUs?: number; // when time 0 of a recording was, in us since 1970, if it says so
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
@@ -55,17 +52,17 @@ export class Remote {
   private text = '';
   private reported?: (html: string) => void;
   private ended?: (text: string) => void;
+  private picture: Picture;
 
   private constructor(
     private readonly core: Core,
     private readonly channel: Channel,
     private readonly end: () => void,
-    readonly lengthUs: number,
-    readonly bookmarks: readonly Bookmark[] | undefined, // in the file, if that is a recording as a plain text
-    readonly carrier: string, // of a capture: the signal that carries the line
-    private picture: Picture,
+    readonly file: Opened,
     readonly liveId = 0,
-  ) {}
+  ) {
+    this.picture = file.picture;
+  }
 
   // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Remote> {
@@ -88,11 +85,7 @@ export class Remote {
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const { lengthUs, carrier, bookmarks, picture, note = '', zeroUs = 0, startUs } = await opened;
-      const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, bookmarks, carrier, picture).listening();
-      remote.note = note;
-      remote.zeroUs = zeroUs;
-      remote.startUs = startUs;
+      const remote = new Remote(core, worker, () => worker.terminate(), await opened).listening();
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
         remote.fail();
@@ -141,7 +134,7 @@ export class Remote {
       void broken?.then(() => resolve(undefined));
     });
     const end = (): void => channel.postMessage({ kind: 'close' }); // the worker goes on: it may have other lines
-    return opened && new Remote(core, channel, end, 0, undefined, '', opened.picture, id).listening();
+    return opened && new Remote(core, channel, end, opened, id).listening();
   }
 
   // What decodes the line has failed: nothing comes any more.

@@ -87,7 +87,7 @@ export class SecondRecording extends Second {
   follow(): void {
     const { line, askedUs } = this;
     if (this.comparison) {
-      const us = Math.min(Math.max(this.at(this.first.line.us), 0), line.lengthUs + 1000);
+      const us = Math.min(Math.max(this.at(this.first.line.us), 0), line.file.lengthUs + 1000);
       this.askedUs = us;
       if (us >= askedUs && us < askedUs + jumpUs) {
         line.wantedUs = us;

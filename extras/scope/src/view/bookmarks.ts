@@ -30,8 +30,9 @@ export class BookmarksView {
 
   enter(source: Source): void {
     this.source = source;
-    this.bookmarks.enter(source.line.bookmarks ?? []);
-    this.save.hidden = source.line.bookmarks === undefined;
+    const { bookmarks } = source.line.file;
+    this.bookmarks.enter(bookmarks ?? []);
+    this.save.hidden = bookmarks === undefined;
   }
 
   // Call it for each picture.
@@ -39,7 +40,7 @@ export class BookmarksView {
     const { all } = this.bookmarks;
     if (all !== this.shown) {
       this.shown = all;
-      byId('bookmarks').hidden = all.length === 0 && !this.source?.line.bookmarks?.length;
+      byId('bookmarks').hidden = all.length === 0 && !this.source?.line.file.bookmarks?.length;
       this.rows = new Map(all.map((bookmark) => [bookmark, this.rows.get(bookmark) ?? this.row(bookmark)]));
       const rows = new Set<Element>(this.rows.values()); // those that stay keep the focus
       [...this.list.children].filter((row) => !rows.has(row)).forEach((row) => row.remove());
@@ -63,12 +64,12 @@ export class BookmarksView {
   private row(bookmark: Bookmark): HTMLElement {
     const time = clock(bookmark.us);
     const go = make('button', {}, time);
-    const name = make('input', { type: 'text', value: bookmark.name, maxlength: longestName, 'aria-label': `Name of the bookmark at ${time}` });
+    const name = make('input', { type: 'text', value: bookmark.name, title: bookmark.name, maxlength: longestName, 'aria-label': `Name of the bookmark at ${time}` });
     const remove = make('button', { 'aria-label': `Remove the bookmark at ${time}`, title: 'Remove' }, '×');
     go.addEventListener('click', () => this.visit(bookmark.us));
     name.addEventListener('change', () => {
       this.bookmarks.rename(bookmark, name.value);
-      name.value = bookmark.name;
+      name.value = name.title = bookmark.name;
     });
     remove.addEventListener('click', () => this.bookmarks.remove(bookmark));
     return make('li', {}, go, name, remove);

@@ -13,7 +13,7 @@ import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
-import { Gestures } from './gestures';
+import { Gestures, wheelKey } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { picture } from './picture';
 import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, within } from './plot';
@@ -22,6 +22,7 @@ import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
+const nameRows = 4; // of bookmarks
 const awayMs = 300; // at rest, where no samples are kept, until the recording goes there
 
 export interface Lane {
@@ -251,7 +252,7 @@ export class Curves {
     const seconds = pointedAt(this.plot);
     const hint = this.strokes !== this.samples
       ? 'Each column reaches from the lowest to the highest value. Zoom into a part to go there.'
-      : this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '';
+      : `${this.paused ? 'Paused. Double-click to return to the newest data. ' : ''}Drag to scroll, ${wheelKey} and the wheel to zoom.`;
     setText(this.ui.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
   }
 
@@ -321,7 +322,7 @@ export class Curves {
       ctx.textAlign = 'left';
       const [from, to] = this.shownUs;
       const gap = 4 * pixel;
-      let freeX = bbox.left; // names do not lie on each other
+      const freeX = new Array(nameRows).fill(bbox.left); // names do not lie on each other
       for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
         const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
         const { width } = ctx.measureText(name);
@@ -330,9 +331,10 @@ export class Curves {
         ctx.moveTo(x, bbox.top);
         ctx.lineTo(x, bbox.top + bbox.height);
         ctx.stroke();
-        if (textX >= freeX) {
-          ctx.fillText(name, textX, bbox.top + 2 * pixel);
-          freeX = textX + width + gap;
+        const row = freeX.findIndex((free) => textX >= free);
+        if (row >= 0) {
+          ctx.fillText(name, textX, bbox.top + (2 + 14 * row) * pixel);
+          freeX[row] = textX + width + gap;
         }
       }
     });

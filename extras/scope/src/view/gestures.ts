@@ -1,10 +1,14 @@
-// Mouse, wheel, fingers and keys on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel
-// and two fingers zoom there, a double click resets. With Shift, uPlot selects instead. A tap points like a mouse.
+// Mouse, wheel, fingers and keys on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel with
+// Ctrl and two fingers zoom there, a double click resets. The wheel alone scrolls the page. With Shift, uPlot selects instead. A tap points like a mouse.
 
 const slopPx = { mouse: 3, touch: 8 }; // a click or a tap may tremble
 const leastSpreadPx = 20;
 const doublePx = 250; // of the wheel, to show twice as much time
-const pinchPx = 50; // of two fingers on a touchpad, to show twice as much time
+const pinchPx = 50; // of two fingers on a touchpad, to show twice as much time: the browser says Ctrl and a wheel, in small steps
+const notchPx = 40; // of a wheel at least
+
+// The key for the wheel.
+export const wheelKey = /^Mac/.test(navigator.platform) ? '⌘' : 'Ctrl';
 
 interface Gestured {
   // Returns the curves' place on the screen, without their axes.
@@ -103,13 +107,17 @@ export class Gestures {
   }
 
   private wheel(event: WheelEvent): void {
-    event.preventDefault();
     const { left, width } = this.curves.place();
     const px = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : 16;
-    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+    const isSideways = Math.abs(event.deltaX) > Math.abs(event.deltaY);
+    if (!isSideways && !event.ctrlKey && !event.metaKey) {
+      return;
+    }
+    event.preventDefault();
+    if (isSideways) {
       this.curves.scroll((event.deltaX * px) / width);
     } else {
-      const doubles = (event.deltaY * px) / (event.ctrlKey ? pinchPx : doublePx);
+      const doubles = (event.deltaY * px) / (Math.abs(event.deltaY * px) < notchPx ? pinchPx : doublePx);
       this.curves.zoom(2 ** Math.min(Math.max(doubles, -1), 1), (event.clientX - left) / width);
     }
   }

@@ -101,5 +101,5 @@ function paint(what: 'fill' | 'stroke', color: string): string {
 
 function escaped(text: string): string {
   // XML 1.0 has no control characters.
-  return text.replace(/\p{Cc}/gu, ' ').replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+  return text.replace(/[\p{Cc}\uFFFE\uFFFF]/gu, ' ').replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }

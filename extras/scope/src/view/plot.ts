@@ -7,6 +7,8 @@ import { ticksOf, type Unit } from '../unit';
 import { colorOf, dashOf, type Palette } from './palette';
 import type { Area, Curve, Pen, Strokes } from './strokes';
 
+const lowPx = 260; // a plot that has no room for the ends' texts beside those of the travel's
+
 // Makes a plot that fills an element.
 export function plotIn(root: HTMLElement, { cursor, ...options }: Omit<uPlot.Options, 'width' | 'height'>): uPlot {
   const size = { width: Math.max(root.clientWidth, 200), height: root.clientHeight };
@@ -31,7 +33,7 @@ export function axesOf(unit: Unit, palette: Palette): uPlot.Axis[] {
   const axis = axisOf(palette);
   return [
     { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+shownSeconds(tick).toFixed(2)} s`)) }, // a line begins at 0
-    { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
+    { ...axis, size: 46, splits: () => ticksOf(unit), values: (plot, ticks) => ticks.map((tick, i) => (plot.height < lowPx && ticks.length === 5 && i % 4 === 0 ? '' : unit.text(tick))) },
   ];
 }
 

@@ -52,8 +52,9 @@ export class ReportView {
         `${flight.discardedBytes} discarded bytes, ${flight.characterErrors} character errors.`,
     );
     const { worst, spans } = flight;
+    const other = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames].some((kind) => spans[kind].count > 0) ? 'other ' : '';
     this.lists.replaceChildren(
-      listOf(worst.length > 0 ? 'The worst seconds' : 'No second has a lost frame', worst.map((part) => [part[0], part[1], textOf(part)]), this.visit),
+      listOf(worst.length > 0 ? `The worst ${other}seconds` : `No ${other}second has a lost frame`, worst.map((part) => [part[0], part[1], textOf(part)]), this.visit),
       ...kinds.filter((kind) => spans[kind].count > 0).map((kind) => {
         const { count, us, longest } = spans[kind];
         const more = count > longest.length ? `; the ${longest.length} longest` : '';

@@ -57,7 +57,7 @@ export class Strip {
   private readonly bookmarks = svg('path', { class: 'bookmark' });
   private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
   private readonly counts = faults.map(() => make('span'));
-  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show only these, and go only to these' }));
+  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show only these, and go only to these. Those less than a second apart count as one.' }));
   private readonly state = make('li');
   private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
 
@@ -74,7 +74,7 @@ export class Strip {
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
-  draw({ line: { faults: map, flight, lengthUs }, found, isLast }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
+  draw({ line: { faults: map, flight }, lengthUs, found, isLast }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
     if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
       this.shownFlight = flight;

@@ -180,7 +180,8 @@ export class TriggerView {
 
   // Returns the condition, or says what is wrong with it.
   private condition(): Uint8Array | undefined {
-    const { steps, error, from, to } = this.core.condition(this.input.value, this.newest()?.kind === Kind.Row);
+    const newest = this.newest();
+    const { steps, error, from, to } = this.core.condition(this.input.value, newest && newest.kind === Kind.Row);
     if (error === '') {
       this.input.removeAttribute('aria-invalid');
       keep(key, this.input.value);

@@ -50,7 +50,7 @@ export class WireView {
 
   // Shows the wire of a capture; without one, or for another recording, nothing.
   show(source: RecordingSource | undefined): void {
-    this.source = source?.line.carrier ? source : undefined;
+    this.source = source?.line.file.carrier ? source : undefined;
     byId('wire').hidden = !this.source;
     this.shown = undefined;
     this.asked = '';

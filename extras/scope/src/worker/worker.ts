@@ -19,6 +19,7 @@ const progressMs = 100;
 const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
 const settledUs = 10000000; // before that, until a decoder that begins anywhere shows what one that began at 0 does
+const settled = 5000; // characters: failsafe by losses takes 100 frames, at 5 Hz twenty seconds
 
 const sliceEnd = (): number => performance.now() + sliceMs;
 const answer = (message: Answer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
@@ -232,7 +233,7 @@ class Playing {
   private preview(id: number, us: number): void {
     const { module, tape } = this;
     this.previewed = id;
-    const decoder = new Decoder(module, tape, tape.find(us - shownUs - settledUs));
+    const decoder = new Decoder(module, tape, Math.min(tape.find(us - shownUs - settledUs), Math.max(tape.find(us) - settled, 0)));
     const records = recordsAt(decoder, us);
     const picture = pictureOf(decoder, id, true, records);
     if (picture.status.frames > 0) {
