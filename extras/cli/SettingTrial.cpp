@@ -185,22 +185,10 @@ std::vector<uint64_t> SettingTrial::periods() const {
   return periods;
 }
 
-unsigned SettingTrial::longPeriodMs() const {
-  constexpr uint64_t StaleUs = sbus::Link::DefaultTimeout * uint64_t{1000};
+unsigned SettingTrial::periodMs() const {
   const std::vector<uint64_t> periods = this->periods();
-  if (periods.size() < 2 || sbus::impairedFrames(counters()) > 0 ||
-      _observer.discardedBytes() > counters().frames) {
-    return 0;
-  }
-  const uint64_t us = median(periods);
-  const uint64_t nearUs = us / 10 + _lateUs;
-  const auto usual = std::count_if(periods.begin(), periods.end(), [us, nearUs](uint64_t each) {
-    return each + nearUs >= us && each <= us + nearUs;
-  });
-  const bool isStale = *std::max_element(periods.begin(), periods.end()) >= StaleUs;
-  const bool isLong = isStale && us >= StaleUs / 2 && static_cast<size_t>(usual) * 2 > periods.size();
-  const uint64_t sumUs = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
-  return isLong ? static_cast<unsigned>((usualPeriodUs(periods, sumUs) + 500) / 1000) : 0;
+  const uint64_t us = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
+  return us == 0 ? 0 : static_cast<unsigned>((usualPeriodUs(periods, us) + 500) / 1000);
 }
 
 // Returns the median, which an impaired frame does not change; the mean if the port delivers bytes in bursts, so that

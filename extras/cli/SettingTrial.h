@@ -28,7 +28,10 @@ class SettingTrial {
 
   bool isCsv() const { return _isCsv; }
   bool hasFrames() const {
-    return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms || longPeriodMs() > 0;
+    sbus::Diagnosis diagnosis;
+    diagnosis.add(trial());
+    return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms ||
+           diagnosis.finding() > sbus::Finding::InterruptsOff;  // they come seldom
   }
   sbus::Trial trial() const { return _examination.trial(_observer, _settings, _endUs); }
 
@@ -54,9 +57,8 @@ class SettingTrial {
   // a busy PC do not count as silence.
   bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
 
-  // Returns the frame period in ms if the link is stale between two intact frames, or after a missing one, with
-  // sbus::Link's default timeout; otherwise 0.
-  unsigned longPeriodMs() const;
+  // Returns the frame period in ms; 0 if it is not known.
+  unsigned periodMs() const;
 
   // Returns a line that explains why this source's times are not exact; empty if they are.
   std::string note() const { return _note.empty() ? "" : _note + "\n"; }

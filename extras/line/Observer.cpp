@@ -19,6 +19,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _segments.reset(characterUs);
   _telemetry = TelemetrySlots();
   _protocols = sbus::OtherProtocols();
+  _faults = SenderFaults();
   _characterUs = characterUs;
   _last = Character();
   _last.endUs = nowUs;
@@ -66,6 +67,7 @@ void Observer::put(const Character &character) {
   if (newest().count == 0) {
     _protocols.put(character.value);
   }
+  _faults.put(character);
   _waits = !character.bad;
   _characterErrors += character.bad;
   _segments.put(character);

@@ -14,6 +14,7 @@
 
 #include "line/Decoders.h"
 #include "line/Segments.h"
+#include "line/SenderFaults.h"
 #include "line/Statistics.h"
 #include "line/telemetry/TelemetrySlots.h"
 #include "sbus/LinkQuality.h"
@@ -48,6 +49,8 @@ class Observer : public Statistics {
   // Returns the protocol of packets that came before the first frame of S.Bus; NoSignal without one. See
   // sbus::OtherProtocols.
   sbus::Finding otherProtocol() const { return _protocols.found(); }
+  // Returns what is wrong with the sender of characters with parity; NoSignal if nothing is. See SenderFaults.
+  sbus::Finding senderFault() const { return _faults.found(); }
 
   unsigned long characterErrors() const { return _characterErrors; }
   // Returns true if frames have 24 channels, not 16.
@@ -83,6 +86,7 @@ class Observer : public Statistics {
   uint64_t _lineUs;     // the decoders' time at its end: only characters and certain silence count
   uint64_t _silenceUs;  // the certain silence since then
   sbus::OtherProtocols _protocols;
+  SenderFaults _faults;
   bool _waits;          // _last has not been passed to the decoders
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;

@@ -31,34 +31,32 @@ Values withFlags(Values values, uint8_t flagsByte) {
   return values;
 }
 
+// A header 0F that noise turns into 2F makes no line of 32 channels. But the first frame on a line lacks no channels: the
+// one with header 2F before it counts for it alone.
 void Statistics::add(const Stretch &frame) {
   std::array<uint8_t, sbus::FrameSize24> bytes{};
   std::transform(frame.characters.begin(), frame.characters.end(), bytes.begin(),
                  [](const Character &character) { return character.value; });
   if (frame.kind == Stretch::Kind::Extra) {
     sbus::unpackExtra(bytes.data(), &_newest.raw[sbus::ProportionalCount]);
-    _newest.count = static_cast<unsigned>(_newest.raw.size());
-    return mark(sbus::ProportionalCount, sbus::ProportionalCount);
+    _has32 = _has32 || _sinceExtra < ExtraWithin;
+    _sinceExtra = 0;
+    return;
   }
   const bool is24 = frame.kind == Stretch::Kind::Frame24;
-  const size_t count = is24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
+  const bool is32 = _has32 || (_newest.count == 0 && _sinceExtra == 0);
+  _sinceExtra = std::min(_sinceExtra + 1, ExtraWithin);
   const uint8_t flags = bytes[frame.characters.size() - 2];
-  std::array<uint16_t, sbus::ChannelCount24> channels;
-  is24 ? sbus::unpack24(bytes.data(), channels.data()) : sbus::unpack(bytes.data(), channels.data());
-  std::copy_n(channels.begin(), count, _newest.raw.begin());
-  _newest.count = std::max(static_cast<unsigned>(count), is24 ? 0 : _newest.count);
+  is24 ? sbus::unpack24(bytes.data(), _newest.raw.data()) : sbus::unpackExtra(bytes.data(), _newest.raw.data());
   _newest = withFlags(_newest, flags);
+  _newest.count = is24 ? sbus::ChannelCount24 : is32 ? 2 * sbus::ProportionalCount : sbus::ProportionalCount;
   _newest.switches = is24 ? std::array<bool, 2>{} : _newest.switches;
   _newest.endUs = frame.endUs();
   _pulseless += _newest.hasNoPulses();
-  mark(0, count);
-  Arrivals::add(frame.endUs(), flags);
-}
-
-void Statistics::mark(size_t first, size_t count) {
-  for (size_t i = first; i < first + count && !_newest.lostFrame && !_newest.failsafe; i++) {
+  for (size_t i = 0; i < _newest.count && !_newest.lostFrame && !_newest.failsafe; i++) {
     _travel[i].add(_newest.raw[i]);
   }
+  Arrivals::add(frame.endUs(), flags);
 }
 
 void Statistics::resetMarks() {

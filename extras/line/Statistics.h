@@ -65,7 +65,7 @@ class Arrivals {
 // The newest values. All 0 before the first frame.
 struct Values {
   uint64_t endUs = 0;              // when the frame was complete
-  unsigned count = 0;              // 16 or 24; 32 after frames with header 2F
+  unsigned count = 0;              // 16, 24, or 32 on a line with frames with header 2F
   std::array<uint16_t, 32> raw{};  // CH1.., 0..2047
   std::array<bool, 2> switches{};  // CH17 and CH18 of a line with 16 channels
   bool lostFrame = false;          // the frame's flag
@@ -93,9 +93,11 @@ class Statistics : public Arrivals {
   void add(const Stretch &frame);
 
  private:
-  void mark(size_t first, size_t count);
+  static constexpr unsigned ExtraWithin = 8;  // frames
 
   Values _newest;
+  bool _has32 = false;                  // two frames with header 2F came within ExtraWithin
+  unsigned _sinceExtra = ExtraWithin;  // frames since the newest of them, at most this many
   uint32_t _pulseless = 0;
   std::array<Extent, 32> _travel{};
 };

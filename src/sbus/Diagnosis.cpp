@@ -22,6 +22,17 @@ uint32_t missingExtraFrames(const Counters &counters) {
   return expected && counters.extraFrames + 1 < counters.frames ? counters.frames - 1 - counters.extraFrames : 0;
 }
 
+// Returns true if little else comes between the frames.
+bool areFrames(const Counters &counters) {
+  return counters.discardedBytes <= (counters.frames + 1) * GroupSizeMax;
+}
+
+// Returns true if the frames come seldom: at that period they fill half of the time or more.
+bool isLongPeriod(const Trial &trial) {
+  const uint32_t period = trial.counters.period / 1000;
+  return period >= Diagnosis::PeriodLong && trial.counters.frames * period >= trial.ms / 2 && areFrames(trial.counters);
+}
+
 uint32_t framesOfEitherSize(const Counters &counters) {
   return counters.frames + counters.otherSizeFrames;
 }
@@ -42,6 +53,10 @@ Text text(Finding finding) {
       return SBUS_TEXT("Not S.Bus: the receiver sends SUMD, Graupner's protocol.");
     case Finding::Spektrum:
       return SBUS_TEXT("Not S.Bus: the receiver sends Spektrum's satellite protocol.");
+    case Finding::NoParity:
+      return SBUS_TEXT("No parity: the sender has 8N1 or 8N2; S.Bus has 8E2.");
+    case Finding::IdleLevel:
+      return SBUS_TEXT("Wrong idle level: between frames the line has the level of a start bit.");
     case Finding::NoFrames:
       return SBUS_TEXT("No frames: bytes come, but few frames or none.");
     case Finding::Channels24:
@@ -66,6 +81,8 @@ Text text(Finding finding) {
       return SBUS_TEXT("No radio: the receiver works, but hears nothing.");
     case Finding::Lossy:
       return SBUS_TEXT("Lossy: the receiver works, but misses radio frames.");
+    case Finding::LongPeriod:
+      return SBUS_TEXT("Long period: the link is stale between frames, or once one is missing.");
     case Finding::AllWellAndMore:
       return SBUS_TEXT("All well, and other bytes come between the frames.");
     case Finding::AllWell:
@@ -88,6 +105,10 @@ Text remedy(Finding finding) {
       return SBUS_TEXT("Set the receiver's serial output to S.Bus, if it has one, or use another receiver.");
     case Finding::Spektrum:
       return SBUS_TEXT("Use a receiver with an S.Bus output.");
+    case Finding::NoParity:
+      return SBUS_TEXT("Open the sender's port with even parity and two stop bits: SERIAL_8E2.");
+    case Finding::IdleLevel:
+      return SBUS_TEXT("Mend the sender: between frames S.Bus rests at the level of a stop bit, 0 V.");
     case Finding::NoFrames:
       return SBUS_TEXT("Connect GND. Is it S.Bus? Is an inverter missing, or one too many?");
     case Finding::Channels24:
@@ -110,6 +131,8 @@ Text remedy(Finding finding) {
       return SBUS_TEXT("Switch the radio on, or bind them.");
     case Finding::Lossy:
       return SBUS_TEXT("Check distance and aerials.");
+    case Finding::LongPeriod:
+      return SBUS_TEXT("Call setTimeout() with three periods, or set the receiver to a shorter period.");
     case Finding::AllWellAndMore:
       return SBUS_TEXT("No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame.");
     case Finding::AllWell:
@@ -144,7 +167,8 @@ void Diagnosis::add(const Trial &trial) {
 // The setting is judged first, by whether frames come, then the line, and last the flags, if the frames are intact.
 Finding Diagnosis::finding() const {
   const Counters &counters = seen();
-  const bool framesCome = counters.frames * PeriodMax > _trial.ms;
+  const bool isSlow = isLongPeriod(_trial);
+  const bool framesCome = counters.frames * PeriodMax > _trial.ms || isSlow;
   const bool otherPolarity = _trial.inverted != _meantInverted;
   const bool otherBaud = _trial.baud != _meantBaud;
   if (!_anyByte) {
@@ -174,7 +198,7 @@ Finding Diagnosis::finding() const {
   if (damaged > 1 + counters.frames / ImpairedPart) {
     return Finding::Noise;
   }
-  if (counters.discardedBytes > (counters.frames + 1) * GroupSizeMax) {
+  if (!areFrames(counters)) {
     return Finding::NoFrames;
   }
   if (_trial.pulseless != 0) {
@@ -188,6 +212,9 @@ Finding Diagnosis::finding() const {
   }
   if (counters.lostFrames > counters.frames / LossyPart) {
     return Finding::Lossy;
+  }
+  if (isSlow) {
+    return Finding::LongPeriod;
   }
   // The first bytes may be the end of a frame.
   const bool more = damaged == 0 && counters.discardedBytes >= counters.frames + FrameSize;

@@ -23,7 +23,9 @@ enum class Finding : uint8_t {
   FPort,                 ///< of FrSky's F.Port
   Sumd,                  ///< of Graupner's SUMD
   Spektrum,              ///< of a Spektrum satellite
-  NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax
+  NoParity,              ///< characters of 8N1 or 8N2
+  IdleLevel,             ///< between frames the line has the level of a start bit
+  NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax, nor intact ones less often
   Channels24,            ///< no frames of 16 channels, but frames of 24, for a DecodeSBus24
   WrongPolarity,         ///< frames come with the opposite polarity
   WrongBaud,             ///< frames come with the other baud rate
@@ -35,6 +37,7 @@ enum class Finding : uint8_t {
   Failsafe,              ///< the receiver is in failsafe
   NoRadio,               ///< more than half of the frames have the lost-frame flag, without failsafe
   Lossy,                 ///< more than a tenth of the frames have the lost-frame flag
+  LongPeriod,            ///< the frame period is PeriodLong or more
   AllWellAndMore,        ///< no fault; more than a byte per frame belongs to no frame
   AllWell,               ///< no fault
 };
@@ -47,7 +50,7 @@ struct Trial {
   uint32_t ms;         ///< how long the port was polled; in 500 ms the slowest receiver known (25 Hz) sends 12 frames
   Counters counters;   ///< since the port was opened with this setting
   uint32_t pulseless;  ///< frames without a flag for which hasNoPulses() is true
-  Finding other;       ///< of OtherProtocols; 0 (NoSignal) without one
+  Finding other;       ///< IBus to IdleLevel, of OtherProtocols for one; 0 (NoSignal) without one
 };
 
 /// Returns true if CH1..CH4 are 0: as a receiver sends them that has lost the radio and is set to "no pulses".
@@ -69,6 +72,7 @@ uint32_t impairedFrames(const Counters &counters);
 class Diagnosis {
  public:
   static constexpr uint32_t PeriodMax = 100;  ///< ms, mean frame interval; a wrong setting brings hardly any frame
+  static constexpr uint32_t PeriodLong = 50;  ///< ms; with Link's default timeout, a missing frame makes the link stale
 
   /// Starts a new round, and forgets the one before.
   void begin() { *this = Diagnosis(); }

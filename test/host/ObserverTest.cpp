@@ -1,6 +1,7 @@
 // An Observer shows every character of a line once, each frame in its place, and the line's statistics.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -138,6 +139,88 @@ TEST_CASE("FASSTest 26: a frame with header 2F that comes first after a silence 
     sbus::Diagnosis diagnosis;
     diagnosis.add(examination.trial(line.observer, line::LineSettings(), line.us));
     CHECK(diagnosis.finding() == sbus::Finding::AllWell);
+  }
+}
+
+TEST_CASE("a line has 32 channels once two frames with header 2F come within 8 others; the first on a line counts for the next") {
+  const struct {
+    const char *line;    // x: with header 2F
+    const char *counts;  // of channels after each frame: 3 for 32, 1 for 16
+  } rows[] = {
+      {"ffffxffffffffffff", "1111111111111111"},
+      {"ffxfffffffxfff", "111111111333"},
+      {"ffxffffffffxfff", "1111111111111"},
+      {"xffffxffffffff", "311133333333"},
+      {"xffffffffff", "3111111111"},
+      {"xfxfxf", "333"},
+      {"fxfxfxf", "1133"},
+      {"fxfxffffffffffff", "11333333333333"},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.line);
+    Watched line;
+    std::string counts;
+    line.observer.listen([&](const Stretch &stretch) {
+      if (stretch.kind == Stretch::Kind::Frame) {
+        counts += line.observer.newest().count == 32 ? '3' : '1';
+        CHECK(line.observer.travel(20).count == static_cast<uint64_t>(std::count(counts.begin(), counts.end(), '3')));
+      }
+    });
+    for (const char *kind = row.line; *kind != '\0'; kind++) {
+      Bytes frame = Watched::frameOf(992);
+      frame[0] = *kind == 'x' ? sbus::ExtraHeader : frame[0];
+      line.us += 4000;
+      line.send(frame);
+    }
+    line.observer.finish();
+    CHECK(counts == row.counts);
+  }
+}
+
+TEST_CASE("a sender's faults are named from its characters' errors: no parity, and a wrong idle level; not noise") {
+  const struct {
+    const char *what;
+    unsigned good;        // characters before each break
+    bool isBreak;         // one that ends in the line's wrong idle level
+    uint64_t silenceUs;   // after that
+    unsigned times;
+    sbus::Finding fault;
+  } rows[] = {
+      {"a break before each silence", 12, true, 5000, 5, sbus::Finding::IdleLevel},
+      {"too few good characters, as with the wrong polarity", 11, true, 5000, 50, sbus::Finding::NoSignal},
+      {"too few breaks", 12, true, 5000, 3, sbus::Finding::NoSignal},
+      {"breaks without silence", 12, true, 1000, 50, sbus::Finding::NoSignal},
+      {"00 with a good stop bit", 12, false, 5000, 50, sbus::Finding::NoSignal},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    line::SenderFaults faults;
+    uint64_t us = 0;
+    const auto put = [&](uint8_t value, bool bad) {
+      Character character;
+      character.endUs = us += 120;
+      character.value = value;
+      character.bad = bad;
+      faults.put(character);
+    };
+    for (unsigned i = 0; i < row.times; i++) {
+      put(0xB0, true);
+      for (unsigned k = 0; k < row.good; k++) {
+        put(0x0F, false);
+      }
+      put(0, row.isBreak);
+      us += row.silenceUs;
+    }
+    CHECK(faults.found() == row.fault);
+    for (unsigned i = 0; i < 20; i++) {
+      put(0x0F, true);
+      put(i == 19 ? 0x0F : 0x07, i == 19);
+    }
+    CHECK(faults.found() == row.fault);
+    put(0x07, false);
+    CHECK(faults.found() == sbus::Finding::NoParity);
+    put(0x03, false);
+    CHECK(faults.found() == row.fault);
   }
 }
 

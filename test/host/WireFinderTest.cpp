@@ -1,4 +1,6 @@
 // Finds the signal of a capture that carries S.Bus, its polarity and baud rate; or says why a signal is not S.Bus.
+#include <tuple>
+
 #include "support/Decoded.h"
 
 namespace {
@@ -214,9 +216,42 @@ TEST_CASE("a signal that is not S.Bus is rejected with the reason") {
   for (const double edge : uart.edges) {
     seldom.edges.push_back(std::ceil(edge * 0.0003) / 0.0003);
   }
+  TestWire noParity;  // 8N1; each character is followed by a third stop bit
+  noParity.stopBits = 1;
+  for (int i = 0; i < 20; i++) {
+    for (const uint8_t byte : PaperLow.bytes) {
+      noParity.character(byte | 7u << 8);
+    }
+    noParity.gap(6e6);
+  }
+  TestWire iBus;  // 8N1, uninverted
+  iBus.bitNs = 8680;
+  iBus.stopBits = 1;
+  iBus.inverted = false;
+  for (int i = 0; i < 20; i++) {
+    for (int k = 0; k < 32; k++) {
+      const uint8_t ends[] = {0x20, 0x40, 0x51, 0xF3};
+      iBus.character((k < 2 || k > 29 ? ends[k % 28 % 4] : k % 2 == 0 ? 0xDCu : 0x05u) | 7u << 8);
+    }
+    iBus.gap(4e6);
+  }
+  TestWire ppm, servo, clock;
+  for (int i = 0; i < 90; i++) {
+    for (const auto &[wire, us, pulseUs] : {std::tuple{&ppm, i % 9 == 8 ? 9000 : 1000 + 10 * i, 300},
+                                            std::tuple{&servo, 20000, 1000 + 10 * i}, std::tuple{&clock, 1000, 500}}) {
+      wire->edges.insert(wire->edges.end(), {wire->ns, wire->ns + 1e3 * pulseUs});
+      wire->gap(1e3 * us);
+    }
+  }
   const struct {
     std::string text, failure;
   } rows[] = {
+      {textOf(noParity, TestFormat::Vcd), "signal RX has frames, but without parity: the sender has 8N1 or 8N2, and S.Bus has 8E2. No"},
+      {textOf(iBus, TestFormat::Saleae), "signal RX is not S.Bus: the receiver sends i-BUS, FlySky's protocol. Set the receiver's output"},
+      {textOf(ppm, TestFormat::Saleae), "signal RX carries PPM: set the receiver's port to S.BUS, not to CPPM. No"},
+      {textOf(ppm, TestFormat::Scope), "carries PPM: set"},
+      {textOf(servo, TestFormat::Vcd), "signal RX carries a servo's pulses: use the receiver's S.BUS port, or set this one to S.BUS. No"},
+      {textOf(clock, TestFormat::Vcd), "signal RX is not S.Bus: its shortest pulses last 500.0 us, as bits of 2000 baud do"},
       {textOf(glitch, TestFormat::Saleae),
        "signal RX is not S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
       {textOf(wireOf(10400), TestFormat::Saleae),

@@ -61,6 +61,7 @@ export default async function () {
 
   for (const [name, channels, text] of [
     ['16 channels', 'ch1-ch16', [1, 2, 3, 4, 5].map((i) => recorded(9000 * i, frame([1000 + i, 2047, 0], { flags: 3 * i }))).join('')],
+    ['16 channels, a header of which has become 2F', 'ch1-ch18', [1, 2, 3, 4, 5, 6].map((i) => recorded(9000 * i, frame([1000 + i], { header: i === 3 ? 0x2f : 0x0f }))).join('')],
     ['32 channels', 'ch1-ch32', [1, 2, 3, 4, 5].map((i) => recorded(18000 * i, frame([1500 + i], { header: 0x2f })) + recorded(18000 * i + 9000, frame([1000 + i]))).join('')],
   ]) {
     await check(`the CSV that the page saves of ${name}, and that sbus csv --header prints, are the same frames to sbus and to the page`, async (page) => {

@@ -33,6 +33,7 @@ struct Came {
   Came resyncs(uint32_t count) const { return with(&Counters::resyncs, count); }
   Came overflows(uint32_t count) const { return with(&Counters::overflows, count); }
   Came shortfalls(uint32_t count) const { return with(&Counters::shortfalls, count); }
+  Came period(uint32_t ms) const { return with(&Counters::period, 1000 * ms); }
   Came other(uint32_t count) const { return with(&Counters::otherSizeFrames, count); }
   Came of(Finding other) const {
     Came came = *this;
@@ -142,6 +143,16 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
       {"27 of 55 lost", {Good.lost(27)}, Finding::Lossy, 0},
       {"12 of 110 lost", {Came::frames(110).lost(12)}, Finding::Lossy, 0},
       {"11 of 110 lost", {Came::frames(110).lost(11)}, Finding::AllWell, 0},
+      {"a period of 50 ms", {Came::frames(10).period(50)}, Finding::LongPeriod, 0},
+      {"of 49 ms", {Came::frames(10).period(49)}, Finding::AllWell, 0},
+      {"of 100 ms", {Came::frames(5).period(100).skipped(24)}, Finding::LongPeriod, 0},
+      {"of 200 ms", {Came::frames(2).period(200), Noise}, Finding::LongPeriod, 0},
+      {"of 200 ms, with the other polarity", {Noise, Noise, Came::frames(2).period(200)}, Finding::WrongPolarity, 2},
+      {"of 100 ms, for less than half of the time", {Came::frames(2).period(100)}, Finding::NoFrames, 0},
+      {"of 100 ms, and as much noise", {Came::frames(5).period(100).skipped(199)}, Finding::NoFrames, 0},
+      {"of 80 ms, damaged", {Came::frames(6).period(80).byEnd(2).skipped(48).resyncs(2)}, Finding::Noise, 0},
+      {"of 80 ms, in failsafe", {Came::frames(6).period(80).failsafe(6)}, Finding::Failsafe, 0},
+      {"of a line interrupted for seconds", {Came::frames(3).period(9), Noise}, Finding::NoFrames, 0},
       {"opened within a frame", {Good.byEnd(4).skipped(24)}, Finding::AllWell, 0},
       {"S.BUS2, eight sensors", {Came::frames(33).skipped(216).resyncs(8)}, Finding::AllWellAndMore, 0},
       {"an R7003SB", {Came::frames(33).skipped(165)}, Finding::AllWellAndMore, 0},

@@ -7,12 +7,11 @@
 #include <random>
 #include <vector>
 
-#include "sbus/FrameFinder.h"
 #include "sbus/OtherProtocols.h"
+#include "support/Feed.h"
 
 namespace {
 
-using Bytes = std::vector<uint8_t>;
 using sbus::Finding;
 using sbus::OtherProtocols;
 
@@ -149,11 +148,15 @@ TEST_CASE("400 packets of each protocol are named, wherever they are joined; the
     CAPTURE(row.what);
     Bytes bytes;
     std::vector<unsigned> sticks(16, 992);
+    Feeder port;
+    size_t frames = 0;
     for (unsigned i = 0; i < Packets; i++) {
       sticks[i % 4] = static_cast<unsigned>(random() % 2048);
       const Bytes packet = row.packet(sticks, i);
       bytes.insert(bytes.end(), packet.begin(), packet.end());
+      frames += port.feed(packet).size() + port.wait(4000).waited.size();
     }
+    CHECK(frames == 0);
     for (const size_t from : {size_t{0}, size_t{1}, size_t{7}, size_t{30}}) {
       CAPTURE(from);
       CHECK(foundIn({bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end()}) == row.finding);

@@ -19,6 +19,10 @@ lines() {
     split("04 14 24 34", ends, " ")
     periodUs = kind ~ /^(sbus2|r7003sb|other)$/ ? 15000 : 9000
     silenceUs = kind == "gap" ? 10000000 : 0
+    if (match(kind, /^[0-9]+ms/)) periodUs = 1000 * substr(kind, 1, RLENGTH - 2)
+    if (kind == "spread") periodUs = 14000
+    if (kind == "idle") periodUs = 36000
+    if (kind == "8n2") gsub(/0F|03|C0|F0|81/, "&!", sixteen)  # what has an even number of ones
     for (us = 120; us < silenceUs + 3000000 && kind !~ /^(noise|bad)$/; us += periodUs) {
       count++
       if (kind == "sbus2") {  # a sensor answers each 04
@@ -34,6 +38,12 @@ lines() {
       else if (kind == "four-zero") print us, "0F 00 00 00 00 00 00 C0 07 3E F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 00 00"
       else if (kind == "zero-failsafe") print us, "0F", zero, zero, "08 00"
       else if (kind == "no-radio") print us, sixteen, "04 00"
+      else if (kind == "spread") for (i = 0; i < 25; i++) print us + 200 * i, substr(sixteen " 00 00", 1 + 3 * i, 2)
+      else if (kind == "paused") print us, substr(sixteen, 1, 35) "\n" us + 2140, substr(sixteen, 37), "00 00"
+      else if (kind == "idle") print us, "B0! 8C! 0D! 36! BF C8 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 00 00 00!"
+      else if (kind == "8n2") print us, sixteen, "00! 00!"
+      else if (kind == "80ms-missing" && count % 10 == 4) continue
+      else if (kind == "flipped" && count % 29 == 4) print us, "2F" substr(sixteen, 3), "00 00"
       else if (kind == "half") print us, substr(sixteen, 1, 3 * 12)
       else if (kind != "cut" || count < 4 || us > 2991000) print us, sixteen, "00 00"  # cut for all but three frames
       if (count == 167) us += silenceUs
@@ -67,7 +77,7 @@ at_adapter() {
     END { packet(timer) }'
 }
 
-for kind in fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
+for kind in 80ms 80ms-missing 120ms 200ms spread paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
 head -n 3 "$folder/good.txt" >"$folder/one.txt"

@@ -19,8 +19,6 @@ constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
 constexpr size_t AllColumns = 18;          // examples/AllChannels
-constexpr unsigned ExtrasProve = 2;        // frames with header 2F: the line has 32 channels
-constexpr unsigned ExtraWithin = 8;        // frames without one
 
 std::string age(uint64_t us) {
   return us < SecondUs        ? line::format("%4lu ms", static_cast<unsigned long>(us / 1000))
@@ -75,19 +73,7 @@ void MonitoredLine::reset() {
 void MonitoredLine::take(const line::Stretch &stretch) {
   _variant.take(stretch);
   _readings.put(_observer.telemetry().proved());
-  if (stretch.isFrame()) {
-    _isCsv = false;
-    const bool isExtra = stretch.kind == line::Stretch::Kind::Extra;
-    _extras = isExtra ? std::min(_extras + 1, ExtrasProve) : ++_sinceExtra < ExtraWithin ? _extras : 0;
-    _sinceExtra = isExtra ? 0 : _sinceExtra;
-  }
-}
-
-// A header 0F that noise turns into 2F makes no line of 32 channels.
-line::Values MonitoredLine::newest() const {
-  line::Values values = _observer.newest();
-  values.count = values.count == values.raw.size() && _extras < ExtrasProve ? sbus::ProportionalCount : values.count;
-  return values;
+  _isCsv = _isCsv && !stretch.isFrame();
 }
 
 bool MonitoredLine::rowIsRaw() const {
@@ -150,7 +136,7 @@ std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
         .numbers("values", values)
         .line();
   }
-  const line::Values values = newest();
+  const line::Values &values = _observer.newest();
   const sbus::Counters &now = _observer.counters();
   Json json("state");
   json.digits("time_us", shownUs).text("state", stateName(_observer.heldState(nowUs)));
@@ -174,7 +160,7 @@ std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
 }
 
 void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
-  const line::Values values = newest();
+  const line::Values &values = _observer.newest();
   const std::string variant = _variant.text();
   view.kind = (variant.empty() ? "" : variant + ", ") + std::to_string(_settings.baud) + " baud";
   const bool seen = values.count > 0;
@@ -232,7 +218,7 @@ std::vector<MonitorView::Group> MonitoredLine::groups(uint64_t nowUs, bool seen)
 }
 
 void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
-  const line::Values values = newest();
+  const line::Values &values = _observer.newest();
   const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + BytesUs;
   const sbus::LinkState state = _observer.heldState(nowUs);
   switch (state) {

@@ -43,7 +43,6 @@ class MonitoredLine {
 
   void take(const line::Stretch &stretch);
   void takeRow(uint64_t endUs);
-  line::Values newest() const;
   bool rowIsRaw() const;
   void showFrames(MonitorView &view, uint64_t nowUs);
   void showState(MonitorView &view, uint64_t nowUs);
@@ -63,8 +62,6 @@ class MonitoredLine {
   sbus::Counters _before{};  // at the last reset
   unsigned long _errorsBefore = 0;
   unsigned long _discardedBefore = 0;
-  unsigned _extras = 0;       // frames with header 2F, up to what proves 32 channels
-  unsigned _sinceExtra = 0;   // frames since the newest of them
   uint64_t _characterUs = 0;  // when the newest one ended
 
   line::CsvRows _rows;

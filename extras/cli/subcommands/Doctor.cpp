@@ -82,7 +82,7 @@ std::string remedyAtPc(sbus::Finding finding) {
 
 // Returns a line of further advice for a PC; usually empty.
 std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &expected,
-                   const line::LineSettings &best) {
+                   const line::LineSettings &best, unsigned periodMs) {
   switch (finding) {
     case sbus::Finding::NoFrames:
       return source.isWire() ? "" : "An FTDI adapter inverts RXD if its EEPROM says so: extras/docs/ftdi.md\n";
@@ -92,6 +92,8 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
       return std::string("With sbus: it shows all 24") +
              (best.baud != expected.baud ? ", with --baud " + std::to_string(best.baud) : "") +
              (best.polarity != expected.polarity ? ", once the line has the other polarity" : "") + ".\n";
+    case sbus::Finding::LongPeriod:
+      return line::format("With its %u ms: setTimeout(%u)\n", periodMs, (3 * periodMs + 49) / 50 * 50);
     default:
       return {};
   }
@@ -124,18 +126,8 @@ std::optional<Verdict> verdictOnSource(const SourceOption &source,
   return Verdict{false, "Changed bytes: " + damage.substr(0, remedyAt) + ".", remedy};
 }
 
-Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, bool isExpectedSetting,
-                      const std::string &advice) {
+Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {
   const bool well = line::isWell(finding);
-  const unsigned ms = well || (finding == sbus::Finding::NoFrames && isExpectedSetting) ? best.longPeriodMs() : 0;
-  if (ms > 0) {
-    return {false,
-            line::format("Long period: a frame comes every %u ms, and %s.", ms,
-                         ms < sbus::Link::DefaultTimeout ? "a missing one makes the link stale"
-                                                         : "the link is stale in between"),
-            line::format("Call setTimeout(%u) in the sketch, or set the receiver to a shorter period.",
-                         (3 * ms + 49) / 50 * 50)};
-  }
   if (well && best.isInterrupted()) {
     return {false, "Interruptions: frames come, but the line is idle now and then.",
             "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary "
@@ -159,10 +151,12 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
   for (const std::unique_ptr<SettingTrial> &each : heard) {
     diagnosis.add(each->trial());
   }
-  const sbus::Finding finding = diagnosis.finding();
+  const bool hasParity = settings[diagnosis.best()].format.parity != line::Parity::None;
+  const sbus::Finding finding =
+      line::isWell(diagnosis.finding()) && !hasParity ? sbus::Finding::NoParity : diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
-  const Verdict verdict = verdictOnLine(finding, best, diagnosis.best() == 0,
-                                        advice(finding, source, settings.front(), settings[diagnosis.best()]));
+  const Verdict verdict = verdictOnLine(
+      finding, best, advice(finding, source, settings.front(), settings[diagnosis.best()], best.periodMs()));
   write(asJson ? verdict.json().text("line", best.variant()).line()
                : verdict.text() + best.figures(source.hasTimes()) + best.telemetry() + best.note());
   return verdict.well;

@@ -13,6 +13,7 @@
 #include "cli/SilenceNote.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Examination.h"
 #include "line/Format.h"
 #include "line/report/HtmlReport.h"
 
@@ -89,7 +90,17 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
   return text;
 }
 
-std::string text(const line::FlightLog &flight, const SourceOption &source) {
+bool isOtherSender(sbus::Finding finding) {
+  return finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel;
+}
+
+// Returns what `sbus doctor` finds, if nothing else in a summary tells it.
+std::string findingText(sbus::Finding finding) {
+  const bool isShown = finding == sbus::Finding::Noise || finding == sbus::Finding::LongPeriod || isOtherSender(finding);
+  return isShown ? "finding      " + std::string(sbus::text(finding)) + '\n' : "";
+}
+
+std::string text(const line::FlightLog &flight, const SourceOption &source, sbus::Finding finding) {
   const sbus::Counters counters = flight.observer().counters();
   return source.name() + ": " + flight.variant() + ", " +
          line::format(
@@ -97,7 +108,7 @@ std::string text(const line::FlightLog &flight, const SourceOption &source) {
              static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
              static_cast<unsigned long>(counters.failsafeFrames), flight.observer().discardedBytes(),
              flight.observer().characterErrors()) +
-         (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
+         findingText(finding) + (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 
 std::string json(const line::FlightLog &flight, const SourceOption &source) {
@@ -143,19 +154,34 @@ void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
   line::FlightLog flight(input->settings().characterUs(), source.zeroUs());
   SilenceNote silence(source.name(), "frames", source.isFile());
+  line::Examination examination;
+  uint64_t lastUs = 0;
   std::exception_ptr failure;  // frames before a wrong line are summarised all the same
   try {
-    input->run([&flight](const line::Character &character) { flight.put(character); },
-               [&](uint64_t nowUs) {
-                 flight.idleUntil(input->knownUs());
-                 silence.tick(nowUs, flight.any());
-               });
+    input->run(
+        [&](const line::Character &character) {
+          if (lastUs == 0) {
+            examination.begin(flight.observer(), character.endUs);
+          }
+          lastUs = character.endUs;
+          flight.put(character);
+        },
+        [&](uint64_t nowUs) {
+          flight.idleUntil(input->knownUs());
+          silence.tick(nowUs, flight.any());
+        });
   } catch (const std::runtime_error &) {
     failure = std::current_exception();
   }
   flight.finish();
   if (failure && !flight.any()) {
     std::rethrow_exception(failure);
+  }
+  sbus::Diagnosis diagnosis;
+  diagnosis.add(examination.trial(flight.observer(), input->settings(), lastUs));
+  const sbus::Finding finding = diagnosis.finding();
+  if (!flight.any() && isOtherSender(finding)) {
+    throw std::runtime_error(source.name() + ": no frames received. " + std::string(sbus::text(finding)));
   }
   silence.end(flight.any());
   if (options.html.given()) {
@@ -164,7 +190,7 @@ void run(const SourceOption &source, const Options &options) {
     writeTo(options.output, File::New, [&page](const Put &put) { put(page); });
   } else {
     write(options.json ? source.json().line() + json(flight, source)
-                       : text(flight, source));
+                       : text(flight, source, finding));
     if (!options.json && !input->note().empty()) {
       write(input->note() + '\n');
     }

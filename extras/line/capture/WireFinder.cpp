@@ -87,6 +87,7 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   wire.settings.format.stopBits = 2 * early > wire.good + wire.bad ? 1 : settings.format.stopBits;
   wire.frames = observer.counters().frames;
   wire.channels = observer.has24() ? 24 : extra ? 32 : 16;
+  wire.protocol = observer.otherProtocol();
   return wire;
 }
 
@@ -135,23 +136,46 @@ std::string microseconds(double ns) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " us";
 }
 
-}  // namespace
-
-std::string tooSlow(double sampledNs, double bitNs) {
-  constexpr double SamplesPerBit = 4;
-  if (sampledNs * SamplesPerBit <= bitNs) {
+// Returns what pulses far longer than a bit are; "" for others.
+std::string pulseTrain(const std::vector<Level> &levels, double shortestNs) {
+  if (shortestNs < 100000 || shortestNs > 2500000) {
     return {};
   }
-  return "was sampled every " + microseconds(sampledNs) + ", but a bit lasts " + microseconds(bitNs) +
-         ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
+  size_t channels = 0;  // from one edge to the next of the same direction
+  size_t frames = 0;
+  for (size_t i = 1; i + 2 < levels.size(); i++) {
+    const int64_t us = (levels[i + 2].ns - levels[i].ns) / 1000;
+    channels += us >= 700 && us <= 2300;
+    frames += us > 2300 && us < 30000;
+  }
+  const bool isTrain = channels + frames >= 4 && channels + frames + 3 >= levels.size();
+  return !isTrain || frames == 0 ? ""
+         : channels >= frames    ? "carries PPM: set the receiver's port to S.BUS, not to CPPM"
+                                 : "carries a servo's pulses: use the receiver's S.BUS port, or set this one to S.BUS";
 }
 
-FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides) {
+// Returns what another protocol is, and the remedy; "" without one.
+std::string otherProtocol(const std::vector<Level> &levels) {
+  for (const unsigned long baud : {115200ul, 420000ul}) {
+    for (const Polarity polarity : {Polarity::Inverted, Polarity::Uninverted}) {
+      const LineSettings settings = {baud, polarity, {8, Parity::None, 1}};
+      const sbus::Finding found = judge(levels, settings, settings.bitNs()).protocol;
+      if (found != sbus::Finding::NoSignal) {
+        const std::string why = "is n" + std::string(sbus::text(found)).substr(1) + " " + std::string(sbus::remedy(found));
+        return why.substr(0, why.size() - 1);  // the caller ends the sentence
+      }
+    }
+  }
+  return {};
+}
+
+FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides, const Format &format) {
   FoundWire best;
   const bool told = overrides.baud != 0;
   for (const unsigned long baud : told ? std::vector{overrides.baud} : std::vector{sbus::Baud, 2 * sbus::Baud}) {
     LineSettings settings;
     settings.baud = baud;
+    settings.format = format;
     const double nominalNs = settings.bitNs();
     double bitNs = fit(levels, nominalNs);
     if (std::abs(bitNs - nominalNs) > BaudTolerance * nominalNs) {
@@ -172,6 +196,21 @@ FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides)
   return best;
 }
 
+}  // namespace
+
+std::string tooSlow(double sampledNs, double bitNs) {
+  constexpr double SamplesPerBit = 4;
+  if (sampledNs * SamplesPerBit <= bitNs) {
+    return {};
+  }
+  return "was sampled every " + microseconds(sampledNs) + ", but a bit lasts " + microseconds(bitNs) +
+         ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
+}
+
+FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides) {
+  return findWire(levels, overrides, Format());
+}
+
 bool hasPulses(const std::vector<Level> &levels) {
   return !pulses(levels).empty();
 }
@@ -186,17 +225,26 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
     return "has no pulses: is the probe on S-BUS_OUT, and the receiver on?";
   }
   const double pulseNs = shortest(lengths);
+  if (const std::string train = pulseTrain(levels, pulseNs); !train.empty()) {
+    return train;
+  }
   const double grid = gridNs(lengths);
   const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the divisor may be a bit
   const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
   if (!slow.empty()) {
     return slow;
   }
+  if (const std::string other = otherProtocol(levels); !other.empty()) {
+    return other;
+  }
   const std::string seen = "is not S.Bus: its shortest pulses last " + microseconds(pulseNs);
   if (best.good + best.bad == 0 || !isOneBitLong(pulseNs)) {
     const double baud = 1e9 / std::max(pulseNs, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
            " baud do: 10 us or 5 us are expected, within 3 %";
+  }
+  if (findWire(levels, {}, {8, Parity::None, 1}).frames > 0) {
+    return "has frames, but without parity: the sender has 8N1 or 8N2, and S.Bus has 8E2";
   }
   if (best.good >= 2 * best.bad) {
     return "has " + std::to_string(best.good) + " good characters at " + text(best.settings) + ", but no frame";

@@ -7,6 +7,7 @@
 
 #include "line/LineSettings.h"
 #include "line/capture/Capture.h"
+#include "sbus/Diagnosis.h"
 
 namespace line {
 
@@ -25,6 +26,7 @@ struct FoundWire {
   unsigned bad = 0;
   unsigned long frames = 0;  // in the sample; without any the wire does not carry S.Bus
   unsigned channels = 16;    // of the frames: 16, 24 or 32
+  sbus::Finding protocol = sbus::Finding::NoSignal;  // Observer::otherProtocol()
 
   // Returns true if most characters of the sample have correct parity and stop bits, which may also happen on other
   // lines.

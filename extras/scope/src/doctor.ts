@@ -23,6 +23,7 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.InterruptsOff]: 'warning',
   [Finding.Noise]: 'warning',
   [Finding.Lossy]: 'warning',
+  [Finding.LongPeriod]: 'warning',
 };
 
 export class Doctor {
@@ -56,6 +57,9 @@ export class Doctor {
       case LinkState.Failsafe:
         return this.of((newest?.flags ?? 0) & Flag.ByLosses ? Finding.NoRadio : Finding.Failsafe);
       case LinkState.Stale:
+        if (status.finding === Finding.LongPeriod && status.quietUs < silenceUs) {
+          return this.ofFrames(status.finding, false, status); // stale between two frames
+        }
         return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
           ? this.of(Finding.NoFrames)
           : { ...this.of(Finding.NoSignal), text: 'Signal lost: frames came before, but no bytes come now.' };
@@ -66,7 +70,7 @@ export class Doctor {
           : this.of(finding);
       }
       default:
-        return this.ofFrames(this.finding(status), status.state === LinkState.Lossy);
+        return this.ofFrames(this.finding(status), status.state === LinkState.Lossy, status);
     }
   }
 
@@ -76,13 +80,17 @@ export class Doctor {
   }
 
   // Frames come: a finding about older ones must not contradict the newest.
-  private ofFrames(finding: Finding | undefined, lossy: boolean): Verdict {
+  private ofFrames(finding: Finding | undefined, lossy: boolean, { gapMeanUs }: Status): Verdict {
     const isOld = finding === undefined || finding === Finding.Failsafe || finding <= Finding.NoFrames;
     if (lossy && (isOld || this.core.isWell(finding))) {
       return this.of(Finding.Lossy);
     }
     if (isOld) {
       return { text: 'Receiving frames.', remedy: 'The verdict needs one second.', severity: 'good' };
+    }
+    if (finding === Finding.LongPeriod) {
+      const found = this.of(finding);
+      return { ...found, remedy: `${found.remedy} A frame comes every ${Math.round(gapMeanUs / 1000)} ms.` };
     }
     return this.of(finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
   }
