@@ -65,7 +65,8 @@ bool takeNumber(const char *&at, const char *end, double &value, char mark) {
     const bool isBelow1 = takeSign(e, end);
     digits = e;
     uint64_t power = 0;
-    if (takeDigits(e, end, power) == 0 && e > digits) {
+    takeDigits(e, end, power);
+    if (e > digits) {
       const auto most = static_cast<int64_t>(std::min<uint64_t>(power, 1000));
       exponent += isBelow1 ? -most : most;
       p = e;
