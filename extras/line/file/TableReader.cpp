@@ -54,7 +54,9 @@ bool TableRows::parseName(const std::string &text, Column &column) {
   column.kind = word == "time" || word == "seconds" ? Kind::Time
                 : word == "failsafe"                ? Kind::Failsafe
                 : word == "lostframe"               ? Kind::LostFrame
+                : word == "dg1" || word == "dg2"    ? Kind::Switch
                                                     : Kind::Ignored;
+  column.index = word == "dg2" ? 1 : 0;
   return column.kind != Kind::Ignored || word == "state" || word == "age" || word == "quality";
 }
 
