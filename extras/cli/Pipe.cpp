@@ -102,34 +102,35 @@ Pipe::Content Pipe::content(double seconds) {
   }
   const auto start = std::chrono::steady_clock::now();
   bool isSaid = false;
-  while (!stopped() && _begin.size() < line::FileHeadMax) {
+  std::optional<Content> content;
+  while (!content && !stopped() && _begin.size() < line::FileHeadMax) {
     const bool came = readMore(_begin.empty() ? WaitMs : PauseMs);
     const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (_begin.empty() && !_ended && waited >= NoteAfterS && !std::exchange(isSaid, true)) {
       std::fprintf(stderr, "%s: no bytes yet\n", _name.c_str());
     }
-    const Look look = lookOf(_begin, _ended);
-    if (_begin.empty() ? _ended || (seconds > 0 && waited >= seconds) : look == Look::Bytes) {
-      return Content::Line;
-    }
-    _textKind = look == Look::Packed ? std::nullopt : line::liveKind(_begin);
-    if (_textKind) {
-      return Content::Text;
-    }
-    if (look == Look::Packed || _ended) {
-      return Content::File;
-    }
-    const bool isPause = !came || _begin.size() >= line::RecordingBeginning;
-    const bool isOver = !came && seconds > 0 && waited >= seconds;
-    if (look == Look::Unknown && isOver) {
-      return Content::Line;
-    }
-    if (look != Look::Bytes && isPause && isSketchCsv(_begin, isOver)) {
-      _hasRows = true;
-      return Content::Line;
-    }
+    content = contentSoFar(!came, !came && seconds > 0 && waited >= seconds);
   }
-  return _begin.empty() ? Content::Line : Content::File;
+  return content.value_or(_begin.empty() ? Content::Line : Content::File);
+}
+
+std::optional<Pipe::Content> Pipe::contentSoFar(bool isPause, bool isOver) {
+  const Look look = lookOf(_begin, _ended);
+  if (_begin.empty() ? _ended || isOver : look == Look::Bytes) {
+    return Content::Line;
+  }
+  _textKind = look == Look::Packed ? std::nullopt : line::liveKind(_begin);
+  if (_textKind) {
+    return Content::Text;
+  }
+  if (look == Look::Packed || _ended) {
+    return Content::File;
+  }
+  if (look == Look::Unknown && isOver) {
+    return Content::Line;
+  }
+  _hasRows = (isPause || _begin.size() >= line::RecordingBeginning) && isSketchCsv(_begin, isOver);
+  return _hasRows ? std::optional(Content::Line) : std::nullopt;
 }
 
 // A line would take seconds for what a file delivers at once, up to its end, or more than a live line's programs can

@@ -50,6 +50,10 @@ class Pipe {
  private:
   bool readMore(int ms);
 
+  // Returns what the bytes so far are; nothing while that is uncertain. `isPause`: no byte has come for a while.
+  // `isOver`: none will be waited for.
+  std::optional<Content> contentSoFar(bool isPause, bool isOver);
+
   const std::string _name;
   int _file = -1;  // -1: not a pipe
   std::string _begin;

@@ -154,9 +154,6 @@ TEST_CASE(
   line::Overrides told;
   told.periodNs = 1000;
   CHECK(Decoded(logic2, told).error == "has times of its own: leave out --sample-rate");
-  told.periodNs = 0;
-  told.polarity = line::Polarity::Inverted;
-  CHECK(Decoded(logic2, told).error == "has characters that are decoded already: leave out --invert");
   const std::string two =
       replaced(replaced(logic2, "0x0F", "0x0E"), title2, title2 + "\"B\",\"data\",0.001,1e-4,0x55,\n");
   CHECK(holds(Decoded(two).failure,

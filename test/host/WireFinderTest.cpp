@@ -112,34 +112,29 @@ TEST_CASE("options overrule what was found") {
   const std::string noRate = samples.substr(samples.find('\n') + 1);
   const std::string bits = replaced(noRate.substr(noRate.find('\n') + 1), "0\n0\n0\n0\n", "0000\n");
   const std::string fast = textOf(wireOf(9400), TestFormat::Saleae);  // 6 % off
-  const std::string uninverted = textOf(wireOf(10000, false), TestFormat::Saleae);
   const std::string volts = textOf(wireOf(), TestFormat::Scope);
-  const auto overrides = [](unsigned long baud, line::Polarity polarity, double periodNs, std::optional<double> volt) {
+  const auto overrides = [](unsigned long baud, double periodNs, std::optional<double> volt) {
     line::Overrides told;
     told.baud = baud;
-    told.polarity = polarity;
     told.periodNs = periodNs;
     told.threshold = volt;
     return told;
   };
-  const auto Either = line::Polarity::Either;
   const struct {
     std::string what, text;
     line::Overrides told;
     bool right;
   } rows[] = {
-      {"6 % too fast", fast, overrides(0, Either, 0, {}), false},
-      {"6 % too fast, but told so", fast, overrides(106000, Either, 0, {}), true},
-      {"the other baud rate", fast, overrides(200000, Either, 0, {}), false},
-      {"uninverted, as it is", uninverted, overrides(0, line::Polarity::Uninverted, 0, {}), true},
-      {"inverted, as it is not", uninverted, overrides(0, line::Polarity::Inverted, 0, {}), false},
-      {"no rate", noRate, overrides(0, Either, 0, {}), false},
-      {"a rate", noRate, overrides(0, Either, 1000, {}), true},
-      {"the file's rate is wrong", replaced(samples, "1000000.0", "1500000.0"), overrides(0, Either, 1000, {}), true},
-      {"the file's times are wrong", replaced(volts, "(ms)", "(s)"), overrides(0, Either, 1000, {}), true},
-      {"samples without a title", bits, overrides(0, Either, 1000, {}), true},
-      {"a threshold on the slope", volts, overrides(0, Either, 0, 1.2), true},
-      {"a threshold above it all", volts, overrides(0, Either, 0, 5), false},
+      {"6 % too fast", fast, overrides(0, 0, {}), false},
+      {"6 % too fast, but told so", fast, overrides(106000, 0, {}), true},
+      {"the other baud rate", fast, overrides(200000, 0, {}), false},
+      {"no rate", noRate, overrides(0, 0, {}), false},
+      {"a rate", noRate, overrides(0, 1000, {}), true},
+      {"the file's rate is wrong", replaced(samples, "1000000.0", "1500000.0"), overrides(0, 1000, {}), true},
+      {"the file's times are wrong", replaced(volts, "(ms)", "(s)"), overrides(0, 1000, {}), true},
+      {"samples without a title", bits, overrides(0, 1000, {}), true},
+      {"a threshold on the slope", volts, overrides(0, 0, 1.2), true},
+      {"a threshold above it all", volts, overrides(0, 0, 5), false},
   };
   for (const auto &row : rows) {
     INFO(row.what);
@@ -147,13 +142,13 @@ TEST_CASE("options overrule what was found") {
     CHECK((decoded.wire.frames > 0) == row.right);
     CHECK((decoded.characters.size() == All.size() && decoded.bytes() == All) == row.right);
   }
-  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrides(0, Either, 1000, {})).error == "has times of its own: leave out --sample-rate");
-  CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrides(0, Either, 0, 1.5)).error == "has no voltages: leave out --threshold");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrides(0, 1000, {})).error == "has times of its own: leave out --sample-rate");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrides(0, 0, 1.5)).error == "has no voltages: leave out --threshold");
   TestWire zeros;  // all of its pulses are ten bits long: nothing shows how long one bit is
   zeros.bytes(Bytes(5, 0));
   zeros.gap(1e6);
   CHECK(Decoded(textOf(zeros, TestFormat::Saleae)).characters.empty());
-  CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrides(100000, Either, 0, {})).bytes() == Bytes(5, 0));
+  CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrides(100000, 0, {})).bytes() == Bytes(5, 0));
 }
 
 TEST_CASE("of two signals that carry S.Bus, the one with fewer errors is decoded, and the other is named") {

@@ -103,8 +103,6 @@ all=$(wc -l <"$golden")
 overruled "$all" "$work/sbus2.vcd"
 overruled "$all" "$work/sbus2.vcd" --baud 100000
 overruled 0 "$work/sbus2.vcd" --baud 200000
-overruled "$all" "$work/sbus2.vcd" --invert yes
-overruled 0 "$work/sbus2.vcd" --invert no
 awk '/^#/ { for (us = substr($0, 2) + 0; at < us; at++) print level }
   /^[01]!/ { level = substr($0, 1, 1) }' "$work/sbus2.vcd" | sed 1d >"$work/samples.csv"
 sed 's/.*/&.5/; 1s/^/volt\n/' "$work/samples.csv" >"$work/volts.csv"

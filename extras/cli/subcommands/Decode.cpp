@@ -29,7 +29,6 @@ struct Options {
   std::string output;  // a recording
   line::Overrides overrides;
   PartOption part;
-  std::string invert;
   bool characters = false;
 };
 
@@ -184,9 +183,6 @@ void addDecode(CLI::App &app) {
   subcommand.option("--baud", overrides.baud, "the wire's baud rate, within 3 % (100000 or 200000)")
       .between(50000, 400000)
       .type("N");
-  subcommand.option("--invert", options->invert, "yes: the wire idles low, like S.Bus (detected)")
-      .oneOf({"yes", "no"})
-      .type("yes|no");
   subcommand
       .option(
           "--sample-rate", [&overrides](double hertz) { overrides.periodNs = 1e9 / hertz; },
@@ -203,12 +199,7 @@ void addDecode(CLI::App &app) {
       "Decode finds the signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold, "
       "unless options name them. Times are the capture's: the end of a frame's last byte, or the first edge of a "
       "character. It exits with 1 if there is no frame. For programs, hex --json and csv print a capture's frames.");
-  subcommand.run([options] {
-    options->overrides.polarity = options->invert.empty()    ? line::Polarity::Either
-                                  : options->invert == "yes" ? line::Polarity::Inverted
-                                                             : line::Polarity::Uninverted;
-    run(*options);
-  });
+  subcommand.run([options] { run(*options); });
 }
 
 }  // namespace tool

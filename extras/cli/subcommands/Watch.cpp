@@ -31,7 +31,6 @@ struct Options {
   double beforeS = 2;
   double afterS = 5;
   double longestS = 600;
-  double syncS = 1;
   unsigned keep = 100;
   double mostMb = 1000;
   bool json = false;
@@ -87,7 +86,7 @@ void run(const Options &options) {
     flush();
   }
   FlightRecorder recorder({"watch " + source.name() + ": " + options.when, toUs(options.beforeS), toUs(options.afterS),
-                           toUs(options.longestS), toUs(options.syncS)},
+                           toUs(options.longestS)},
                           files, input->settings(), source.hasTimes(), source.startUs(), source.zeroUs(),
                           [&](const RecordedEvent &event) {
                             write(options.json ? json(event, source.zeroUs(), source.startUs())
@@ -144,10 +143,6 @@ void addWatch(CLI::App &app) {
       .option("--longest", options->longestS,
               "the length of a file, in seconds; a longer event goes on in the next one (600)")
       .between(1, 86400)
-      .type("S");
-  subcommand
-      .option("--sync", options->syncS, "how often to write a file to the disk itself, in seconds; 0: never (1)")
-      .between(0, 3600)
       .type("S");
   subcommand.option("--keep", options->keep, "keep at most N files, and delete the oldest (100)").between(1, 99999).type("N");
   subcommand.option("--most", options->mostMb, "keep at most MB megabytes (1000)").between(0.001, 1e6).type("MB");

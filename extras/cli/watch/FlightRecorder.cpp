@@ -13,6 +13,7 @@ namespace {
 
 constexpr uint64_t BetweenWithinUs = 100000;  // a file may run on for this long, to end before or after a frame
 constexpr uint64_t EventUs = 100000;          // an event's frame is recognised within this time
+constexpr uint64_t SyncUs = 1000000;          // how often a file is written to the disk itself
 
 }  // namespace
 
@@ -63,7 +64,7 @@ void FlightRecorder::tick(uint64_t nowUs, bool happens, uint64_t sinceUs) {
     _isEvent = false;
   }
   const uint64_t clockUs = line::clockUs();
-  if (_open && _plan.syncUs > 0 && clockUs >= _syncedUs + _plan.syncUs) {
+  if (_open && clockUs >= _syncedUs + SyncUs) {
     _open->file.sync();
     checkFile();
     _syncedUs = line::clockUs();
@@ -119,9 +120,7 @@ void FlightRecorder::close(RecordedEvent::Kind kind, uint64_t nowUs) {
     return;
   }
   _open->recorder.finish();
-  if (_plan.syncUs > 0) {
-    _open->file.sync();
-  }
+  _open->file.sync();
   const std::string failure = _open->file.finish();
   if (!failure.empty()) {
     fail(failure);

@@ -32,7 +32,6 @@ class FlightRecorder {
     uint64_t beforeUs;
     uint64_t afterUs;
     uint64_t longestUs;  // a file's length
-    uint64_t syncUs;     // how often its data is written to the disk itself; 0: when the system wants
   };
 
   // `startUs`: time 0 in us since 1970; if it is known, times in each file count from the file's beginning.

@@ -59,8 +59,6 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
   const bool isAsync = AsyncReader::isHead(head);
   if ((isVcd || isAsync) && overrides.periodNs > 0) {
     opened.error = "has times of its own: leave out --sample-rate";
-  } else if (isAsync && overrides.polarity != Polarity::Either) {
-    opened.error = "has characters that are decoded already: leave out --invert";
   } else if (isAsync) {
     opened.reader = std::make_unique<AsyncReader>(head, sink, overrides.baud);
   } else if (isVcd) {

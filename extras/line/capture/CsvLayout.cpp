@@ -22,15 +22,33 @@ constexpr struct {
   std::string_view name;
   What what;
 } Facts[] = {
-    {Place::Comment, "samplerate", What::Rate},    // PulseView: "; Samplerate: 1 MHz"
-    {Place::Comment, "sample rate", What::Rate},   // DSView, WaveForms
-    {Place::Comment, "channels (", What::Names},   // PulseView, DSView: "; Channels (2/8): D0, D1"
-    {Place::Beside, "interval", What::Period},     // OWON: "Time interval:,0.50000us"; Tektronix
-    {Place::Equals, "t0", What::Start},            // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
-    {Place::Equals, "tinc", What::Period},
-    {Place::Below, "start", What::Start},          // Rigol DS1000Z: "X,CH1,Start,Increment"
-    {Place::Below, "increment", What::Period},
+    {Place::Comment, "samplerate", What::Rate},     // PulseView: "; Samplerate: 1 MHz"
+    {Place::Comment, "sample rate", What::Rate},    // DSView, WaveForms
+    {Place::Comment, "channels (", What::Names},    // PulseView, DSView: "; Channels (2/8): D0, D1"
+    {Place::Beside, "interval", What::Period},      // OWON: "Time interval:,0.50000us"; Tektronix, Siglent
+    {Place::Beside, "xinc", What::Period},          // Keysight Infiniium: "XInc:,1E-06", "XOrg:,-5E-03", then volts alone
+    {Place::Beside, "xorg", What::Start},
+    {Place::Beside, "hresolution", What::Period},   // Yokogawa DLM: "HResolution",1.0E-06; "HOffset"
+    {Place::Beside, "hoffset", What::Start},
+    {Place::Equals, "tinc", What::Period},          // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
+    {Place::Equals, "t0", What::Start},
+    {Place::Below, "increment", What::Period},      // Rigol DS1000Z: "X,CH1,Start,Increment"
+    {Place::Below, "start", What::Start},
 };
+
+constexpr struct {
+  std::string_view word;
+  double ns;
+} Units[] = {{"s", 1e9},          {"sec", 1e9},         {"second", 1e9},       {"seconds", 1e9}, {"ms", 1e6},
+             {"millisecond", 1e6}, {"milliseconds", 1e6}, {"us", 1e3},          {"microsecond", 1e3},
+             {"microseconds", 1e3}, {"ns", 1},            {"nanosecond", 1},    {"nanoseconds", 1}};
+
+// Returns the unit of time in a text, in ns; 0: there is none.
+double unitIn(std::string_view text) {
+  const auto *const unit = std::find_if(std::begin(Units), std::end(Units),
+                                        [text](const auto &each) { return hasWord(text, {each.word}); });
+  return unit == std::end(Units) ? 0 : unit->ns;
+}
 
 bool isLogic(std::string_view field) {
   return field.size() == 1 && std::string_view("01xXzZ").find(field.front()) != std::string_view::npos;
@@ -41,11 +59,16 @@ bool isNumber(std::string_view field) {
   return parseNumber(field, value);
 }
 
+// Rigol DS1000Z writes eight digital probes as 0x00 beside the voltages.
+bool arePods(std::string_view field) {
+  return field.size() > 2 && field.substr(0, 2) == "0x" && field.find_first_not_of("0123456789abcdefABCDEF", 2) == field.npos;
+}
+
 bool isValue(std::string_view field) {
   const char *at = field.data();
   double volts;
   int64_t ns;
-  return field.empty() || isLogic(field) || parseTimestamp(field, ns) ||
+  return field.empty() || isLogic(field) || arePods(field) || parseTimestamp(field, ns) ||
          (takeVoltage(at, field.data() + field.size(), volts) && at == field.data() + field.size());
 }
 
@@ -62,7 +85,7 @@ bool isComment(std::string_view line) {
 
 // Returns true for a unit, as oscilloscopes write it below a channel's name.
 bool isUnit(std::string_view field) {
-  return field.empty() || hasWord(field, {"sequence", "s", "second", "ms", "us", "ns", "v", "mv", "volt", "volts"});
+  return field.empty() || unitIn(field) > 0 || hasWord(field, {"sequence", "v", "mv", "volt", "volts"});
 }
 
 // Returns true for names. All but the first may be numbers of channels.
@@ -74,7 +97,7 @@ bool areTitles(const Fields &fields) {
 }
 
 bool isTime(std::string_view title) {
-  return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
+  return hasWord(title, {"time"}) || unitIn(title) > 0;
 }
 
 // The lines before the rows.
@@ -233,6 +256,33 @@ double sigrokUnitNs(double periodNs) {
   return periodNs / std::floor(units / rate);
 }
 
+// Finds the columns of the times and of the signals. Returns true if a column counts the rows.
+bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayout &layout) {
+  std::vector<size_t> &columns = layout.columns;
+  for (size_t i = 0; i < rows.front().size(); i++) {
+    if (!rows.front()[i].empty() && !arePods(rows.front()[i])) {
+      columns.push_back(i);
+    }
+  }
+  const auto title = [&](size_t i) { return header.title(columns[i]); };
+  // A column that counts the rows may precede the times, or replace them.
+  const bool isCounted = columns.size() > 1 && !isTime(title(0)) && grows(rows, columns[0], true);
+  if (isCounted) {
+    columns.erase(columns.begin());
+  }
+  // Saleae's Logic MSO: "Trigger [s]" begins again with each waveform, "Time [s]" goes on.
+  while (columns.size() > 2 && isTime(title(0)) && !hasWord(title(0), {"time"}) && hasWord(title(1), {"time"})) {
+    columns.erase(columns.begin());
+  }
+  if (columns.size() > 1 && (isTime(title(0)) || (!isCounted && grows(rows, columns[0], false)))) {
+    layout.time.column = columns[0];
+    const bool isSigrok = header.program == "PulseView" && header.periodNs > 0;
+    layout.time.unitNs = isSigrok ? sigrokUnitNs(header.periodNs) : unitOf(title(0));
+    columns.erase(columns.begin());
+  }
+  return isCounted;
+}
+
 }  // namespace
 
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> words) {
@@ -252,10 +302,8 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> word
 }
 
 double unitOf(std::string_view title) {
-  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})     ? 1
-         : hasWord(title, {"us", "microsecond", "microseconds"}) ? 1e3
-         : hasWord(title, {"ms", "millisecond", "milliseconds"}) ? 1e6
-                                                                 : 1e9;
+  const double ns = unitIn(title);
+  return ns > 0 ? ns : 1e9;
 }
 
 void splitRow(std::string_view row, char separator, Fields &fields) {
@@ -306,28 +354,8 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     return "is not a known capture of a wire: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
            "or bits as 0 and 1 are expected";
   }
-  std::vector<size_t> &columns = layout.columns;
-  for (size_t i = 0; i < rows.front().size(); i++) {
-    if (!rows.front()[i].empty()) {
-      columns.push_back(i);
-    }
-  }
-  const auto title = [&](size_t i) { return header.title(columns[i]); };
-  // A column that counts the rows may precede the times, or replace them.
-  const bool isCounted = columns.size() > 1 && !isTime(title(0)) && grows(rows, columns[0], true);
-  if (isCounted) {
-    columns.erase(columns.begin());
-  }
-  // Saleae's Logic MSO: "Trigger [s]" begins again with each waveform, "Time [s]" goes on.
-  while (columns.size() > 2 && isTime(title(0)) && !hasWord(title(0), {"time"}) && hasWord(title(1), {"time"})) {
-    columns.erase(columns.begin());
-  }
+  const bool isCounted = takeColumns(rows, header, layout);
   TimeColumn &time = layout.time;
-  if (columns.size() > 1 && (isTime(title(0)) || (!isCounted && grows(rows, columns[0], false)))) {
-    time.column = columns[0];
-    time.unitNs = header.program == "PulseView" && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(0));
-    columns.erase(columns.begin());
-  }
   if (periodNs > 0) {
     header.periodNs = periodNs;
     time.column = TimeColumn::None;
@@ -338,11 +366,10 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   }
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
-  for (const Fields &row : rows) {
-    for (const size_t column : columns) {
-      layout.analogue = layout.analogue || (column < row.size() && !row[column].empty() && !isLogic(row[column]));
-    }
-  }
+  layout.analogue = std::any_of(rows.begin(), rows.end(), [&](const Fields &row) {
+    return std::any_of(layout.columns.begin(), layout.columns.end(),
+                       [&](size_t i) { return i < row.size() && !row[i].empty() && !isLogic(row[i]); });
+  });
   double begin, end;
   if (time.column != TimeColumn::None && (layout.analogue || isCounted) && rows.size() > 1 &&
       time.read(rows.front(), begin).empty() && time.read(rows.back(), end).empty()) {
@@ -350,7 +377,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     layout.startNs = end < begin ? -begin : begin;  // OWON's times go back, its samples do not
     time.column = isCounted ? TimeColumn::None : time.column;
   }
-  layout.names = namesOf(header, columns);
+  layout.names = namesOf(header, layout.columns);
   layout.name = !header.program.empty() ? header.program + " CSV"
                 : layout.analogue       ? OscilloscopeFormat
                                         : "logic analyser's CSV";

@@ -1,5 +1,6 @@
 #include "line/capture/Parsing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "line/recording/WallTime.h"
@@ -23,50 +24,59 @@ struct Powers {
 };
 constexpr Powers TenTo;
 
+// Takes a sign off the front. Returns true for a minus.
+bool takeSign(const char *&at, const char *end) {
+  const bool isMinus = at < end && *at == '-';
+  at += isMinus || (at < end && *at == '+') ? 1 : 0;
+  return isMinus;
+}
+
+// Appends digits to `value`. Returns how many more there are than it can hold.
+int64_t takeDigits(const char *&at, const char *end, uint64_t &value) {
+  constexpr uint64_t Most = 100000000000000000;
+  int64_t left = 0;
+  for (; at < end && isDigit(*at); at++) {
+    if (value < Most) {
+      value = value * 10 + static_cast<uint64_t>(*at - '0');
+    } else {
+      left++;
+    }
+  }
+  return left;
+}
+
 }  // namespace
 
 bool takeNumber(const char *&at, const char *end, double &value, char mark) {
   const char *p = at;
-  const bool negative = p < end && *p == '-';
-  p += p < end && (*p == '-' || *p == '+') ? 1 : 0;
+  const bool isNegative = takeSign(p, end);
+  const char *digits = p;
   uint64_t mantissa = 0;
-  int exponent = 0;
-  bool any = false;
-  bool fraction = false;
-  for (; p < end && (isDigit(*p) || ((*p == '.' || *p == mark) && !fraction)); p++) {
-    if (!isDigit(*p)) {
-      fraction = true;
-      continue;
-    }
-    any = true;
-    if (mantissa < 1000000000000000000u / 10) {
-      mantissa = mantissa * 10 + static_cast<uint64_t>(*p - '0');
-      exponent -= fraction ? 1 : 0;
-    } else if (!fraction && exponent < PowerMax) {
-      exponent++;
-    }
+  int64_t exponent = takeDigits(p, end, mantissa);
+  bool any = p > digits;
+  if (p < end && (*p == '.' || *p == mark)) {
+    digits = ++p;
+    exponent += takeDigits(p, end, mantissa);
+    exponent -= p - digits;
+    any = any || p > digits;
   }
-  if (!any) {
-    return false;
-  }
-  if (p < end && (*p == 'e' || *p == 'E')) {
+  if (any && p < end && (*p == 'e' || *p == 'E')) {
     const char *e = p + 1;
-    const bool minus = e < end && *e == '-';
-    e += e < end && (*e == '-' || *e == '+') ? 1 : 0;
-    int power = 0;
-    if (e < end && isDigit(*e)) {
-      for (; e < end && isDigit(*e); e++) {
-        power = power < 1000 ? power * 10 + (*e - '0') : power;
-      }
-      exponent += minus ? -power : power;
+    const bool isBelow1 = takeSign(e, end);
+    digits = e;
+    uint64_t power = 0;
+    takeDigits(e, end, power);
+    if (e > digits) {
+      const auto most = static_cast<int64_t>(std::min<uint64_t>(power, 1000));
+      exponent += isBelow1 ? -most : most;
       p = e;
     }
   }
-  if (exponent > PowerMax) {
+  if (!any || exponent > PowerMax) {
     return false;
   }
   value = exponent < -PowerMax ? 0 : static_cast<double>(mantissa) * TenTo.of[PowerMax + exponent];
-  value = negative ? -value : value;
+  value = isNegative ? -value : value;
   at = p;
   return true;
 }

@@ -185,9 +185,6 @@ FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides,
       bitNs = nominalNs;
     }
     for (const Polarity polarity : {Polarity::Inverted, Polarity::Uninverted}) {
-      if (overrides.polarity != Polarity::Either && overrides.polarity != polarity) {
-        continue;
-      }
       settings.polarity = polarity;
       const FoundWire wire = judge(levels, settings, bitNs);
       best = wire.betterThan(best) ? wire : best;

@@ -42,7 +42,7 @@ struct FoundWire {
 };
 
 // Returns the best fit, which may have neither frames nor characters. Each of the `levels` differs from the previous
-// one; the first is where the sample begins. It tries only the baud rates and polarities that `overrides` allow.
+// one; the first is where the sample begins. It tries only the baud rate that `overrides` allow.
 FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides);
 
 bool hasPulses(const std::vector<Level> &levels);

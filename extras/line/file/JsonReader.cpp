@@ -152,12 +152,12 @@ std::string slotOf(const Object &object, std::vector<Character> &characters) {
   return {};
 }
 
-std::string bytesOf(const Object &object, const char *name, std::vector<Character> &characters) {
-  const auto text = object.find(name);
+std::string bytesOf(const Object &object, std::vector<Character> &characters) {
+  const auto text = object.find("bytes");
   TextBytes bytes;
   if (!parseHex(text != object.end() && text->is_string() ? text->get<std::string>() : "?", bytes).empty() ||
       bytes.empty()) {
-    return std::string(name) + ": bytes in hexadecimal are expected, such as \"0F E3\"";
+    return "bytes: bytes in hexadecimal are expected, such as \"0F E3\"";
   }
   for (const TextByte &byte : bytes) {
     Character character;
@@ -200,7 +200,7 @@ bool rangeOf(const Object &object, sbus::Range &range) {
 }
 
 bool isLineType(const std::string &type) {
-  return type == "frame" || type == "no_frame" || type == "slot" || type == "character";
+  return type == "frame" || type == "no_frame" || type == "slot";
 }
 
 }  // namespace
@@ -280,10 +280,9 @@ std::string JsonReader::take(const std::string &object, std::deque<Character> &c
     return {};
   }
   std::vector<Character> came;
-  const std::string wrong = type == "frame"      ? frameOf(read, _range, came)
-                            : type == "slot"     ? slotOf(read, came)
-                            : type == "no_frame" ? bytesOf(read, "bytes", came)
-                                                 : bytesOf(read, "byte", came);
+  const std::string wrong = type == "frame"  ? frameOf(read, _range, came)
+                            : type == "slot" ? slotOf(read, came)
+                                             : bytesOf(read, came);
   std::optional<double> us;
   if (!wrong.empty() || !timeOf(read, us)) {
     return wrong.empty() ? quoted("time_us", read["time_us"]) + " is not a time in microseconds" : wrong;
@@ -296,14 +295,6 @@ std::string JsonReader::take(const std::string &object, std::deque<Character> &c
   }
   for (Character &character : came) {
     character.sinceUs = sinceUs;
-  }
-  if (type == "character") {
-    bool parityError = false, framingError = false;
-    if (!flagOf(read, "parity_error", parityError) || !flagOf(read, "framing_error", framingError)) {
-      return "parity_error and framing_error are true or false";
-    }
-    came[0].bad = parityError || framingError;
-    us = us ? std::optional<double>(*us + _characterUs) : std::nullopt;  // its time is the start bit's
   }
   return put(us, static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
 }

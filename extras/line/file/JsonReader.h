@@ -50,7 +50,7 @@ struct JsonHead {
 // Reads the head of a text, which may be cut anywhere.
 JsonHead readJsonHead(std::string_view text);
 
-// An object may span lines. Types other than line, frame, no_frame, slot and character are left out. A frame without a
+// An object may span lines. Types other than line, frame, no_frame and slot are left out. A frame without a
 // time ends 9 ms after the previous one.
 class JsonReader : public FrameReader {
  public:

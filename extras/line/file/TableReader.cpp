@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "line/file/ByteWords.h"
 #include "line/FrameBytes.h"
 #include "line/capture/Parsing.h"
 #include "line/recording/Recording.h"
@@ -49,18 +48,15 @@ bool TableRows::parseName(const std::string &text, Column &column) {
   const bool isChannel = word.rfind("ch", 0) == 0 && parseNumber(word.substr(2), channel) && channel >= 1 &&
                          channel <= TableChannelMax && channel == std::floor(channel);
   if (isChannel) {
-    column = {Kind::Channel, static_cast<size_t>(channel) - 1, 1};
+    column = {Kind::Channel, static_cast<size_t>(channel) - 1};
     return true;
   }
-  const bool isTime = word == "time" || word == "seconds" || word == "time_us";
-  column.kind = isTime                                        ? Kind::Time
-                : word == "failsafe"                          ? Kind::Failsafe
-                : word == "lostframe" || word == "lost_frame" ? Kind::LostFrame
-                : word == "end"                               ? Kind::End
-                : word == "dg1" || word == "dg2"              ? Kind::Switch
-                                                              : Kind::Ignored;
+  column.kind = word == "time" || word == "seconds" ? Kind::Time
+                : word == "failsafe"                ? Kind::Failsafe
+                : word == "lostframe"               ? Kind::LostFrame
+                : word == "dg1" || word == "dg2"    ? Kind::Switch
+                                                    : Kind::Ignored;
   column.index = word == "dg2" ? 1 : 0;
-  column.perSecond = word == "time_us" ? 1e6 : 1;
   return column.kind != Kind::Ignored || word == "state" || word == "age" || word == "quality";
 }
 
@@ -167,7 +163,7 @@ std::string TableRows::takeField(const Column &column, const CsvField &field) {
   const bool isEmpty = field.text.empty();
   switch (column.kind) {
     case Kind::Time:
-      return takeTime(column, field);
+      return takeTime(field);
     case Kind::Channel:
       if (isEmpty && _channels == TableChannelMax) {
         return {};  // each frame has half of 32 channels
@@ -179,12 +175,6 @@ std::string TableRows::takeField(const Column &column, const CsvField &field) {
       _row.values.raw[column.index] = static_cast<uint16_t>(field.value);
       (column.index < sbus::ProportionalCount ? _row.hasFirst : _row.hasRest) = true;
       return {};
-    case Kind::End: {
-      TextBytes bytes;
-      const bool isByte = parseHex(field.text, bytes).empty() && bytes.size() == 1;
-      _row.values.end = isByte ? bytes[0].value : uint8_t{0};
-      return isByte ? "" : "an end byte in hexadecimal is expected";
-    }
     case Kind::Ignored:
       return {};
     case Kind::Switch:
@@ -202,13 +192,13 @@ std::string TableRows::takeField(const Column &column, const CsvField &field) {
   return field.isNumber && isFlag(field.value) ? "" : "0 or 1 is expected";
 }
 
-std::string TableRows::takeTime(const Column &column, const CsvField &field) {
+std::string TableRows::takeTime(const CsvField &field) {
   if (field.text == "-") {
     return {};
   }
-  const double us = field.value * 1e6 / column.perSecond;
+  const double us = field.value * 1e6;
   if (!field.isNumber || std::abs(us) > static_cast<double>(RecordingTimeMaxUs)) {
-    return column.perSecond == 1 ? "a time in seconds is expected" : "a time in microseconds is expected";
+    return "a time in seconds is expected";
   }
   _row.us = std::llround(us);
   return {};
@@ -218,7 +208,7 @@ uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint
                       std::deque<Character> &characters) {
   using Kind = Stretch::Kind;
   const auto append = [&](Kind kind, uint64_t us) {
-    const std::vector<uint8_t> bytes = frameBytes(kind, row.values, row.values.end);
+    const std::vector<uint8_t> bytes = frameBytes(kind, row.values);
     lastUs = appendBackToBack(charactersOf(bytes), us, lastUs, characterUs, characters);
   };
   if (channels == sbus::ChannelCount24) {
@@ -279,12 +269,11 @@ std::string assign(const std::string &word, const sbus::Range &range, FrameValue
   const size_t channel = isChannel ? static_cast<size_t>(number) - 1 : 0;
   const bool isSwitch = !isChannel || channel >= SwitchesAt;
   if (equals == std::string::npos || (!isChannel && name != "failsafe" && name != "lostframe")) {
-    return quoted(word) + (
-                             " sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do");
+    return quoted(word) + " sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do";
   }
   if (isSwitch) {
     if (text != "on" && text != "off" && text != "0" && text != "1") {
-      return (quoted(word) + " is out of range; on or off is expected");
+      return quoted(word) + " is out of range; on or off is expected";
     }
     bool &flag = isChannel            ? values.switches[channel - SwitchesAt]
                  : name == "failsafe" ? values.failsafe
@@ -294,9 +283,8 @@ std::string assign(const std::string &word, const sbus::Range &range, FrameValue
   }
   const std::optional<uint16_t> raw = text == "on" ? range.high : text == "off" ? range.low : parseValue(text, range);
   if (!raw) {
-    return (quoted(word) + " is out of range; " +
-                             "0 to 2047, a pulse such as 1500us, a part such as -50%, on (" +
-                             std::to_string(range.high) + ") or off (" + std::to_string(range.low) + ") is expected");
+    return quoted(word) + " is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (" +
+           std::to_string(range.high) + ") or off (" + std::to_string(range.low) + ") is expected";
   }
   values.raw[channel] = *raw;
   return {};

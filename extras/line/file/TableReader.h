@@ -1,4 +1,4 @@
-// Reads rows of CSV, as printed by `sbus csv` and `sbus decode --csv`, as frames.
+// Reads rows of CSV, as printed by `sbus csv`, as frames.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,6 @@ struct FrameValues : Values {
     raw.fill(992);
     raw[2] = 172;
   }
-
-  uint8_t end = 0;
 };
 
 // Sets a value: "ch3=172", "ch3=1500us", "ch5=on" or "failsafe=on". Returns what is wrong with the word, or nothing.
@@ -58,18 +56,17 @@ class TableRows {
   bool isWhole() const;
 
  private:
-  enum class Kind { Time, Channel, Switch, Failsafe, LostFrame, End, Ignored };
+  enum class Kind { Time, Channel, Switch, Failsafe, LostFrame, Ignored };
   struct Column {
     Kind kind = Kind::Ignored;
     size_t index = 0;
-    double perSecond = 1;  // unit of a time
   };
 
   static bool parseName(const std::string &text, Column &column);
   std::string takeNames(const std::vector<std::string> &names);
   std::string takeRow(const CsvRow &fields);
   std::string takeField(const Column &column, const CsvField &field);
-  std::string takeTime(const Column &column, const CsvField &field);
+  std::string takeTime(const CsvField &field);
   std::vector<std::string> defaultNames() const;
 
   CsvRows _parser;

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
-#include "line/file/LineSplitter.h"
 #include "line/recording/RecordingReader.h"
 #include "line/system/System.h"
 
@@ -23,22 +23,11 @@ Recording readRecording(const std::string &name, uint32_t characterUs) {
     throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
                              "); the name of a recording is expected");
   }
-  LineSplitter lines;
-  const auto take = [&](std::string &line) {
-    char bytes[4096];
-    while (!lines.take(line)) {
-      if (lines.atEnd()) {
-        return false;
-      }
-      in.read(bytes, sizeof bytes);
-      lines.put({bytes, static_cast<size_t>(in.gcount())});
-    }
-    return true;
-  };
-  Recording recording = readLines(take, characterUs);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
   if (in.bad()) {
     throw std::runtime_error(name + ": cannot be read");
   }
+  Recording recording = parseRecording(text, characterUs);
   if (!recording.error.empty()) {
     const std::string place = recording.errorLine > 0 ? ":" + std::to_string(recording.errorLine) : "";
     throw std::runtime_error(name + place + ": " + recording.error);

@@ -137,33 +137,21 @@ std::string RowsReader::finish(std::deque<Character> & /*characters*/) {
   return _any ? "" : Empty;
 }
 
-Recording readLines(const std::function<bool(std::string &line)> &take, uint32_t characterUs) {
+Recording parseRecording(std::string_view text, uint32_t characterUs) {
   Recording recording;
   RecordingReader reader(characterUs);
   std::deque<Character> came;
-  const auto keep = [&] {
+  unsigned number = 0;
+  for (; recording.error.empty() && !text.empty(); number++) {
+    recording.error = reader.line(takeLine(text), came);
     std::for_each(came.begin(), came.end(), [&](const Character &each) { recording.characters.push_back(each); });
     came.clear();
-  };
-  unsigned number = 0;
-  for (std::string line; recording.error.empty() && take(line); number++) {
-    recording.error = reader.line(line, came);
-    keep();
   }
   recording.errorLine = recording.error.empty() ? 0 : number;
   recording.error = recording.error.empty() ? reader.finish(came) : recording.error;
   recording.bookmarks = *reader.bookmarks();
   recording.zeroUs = reader.zeroUs();
   return recording;
-}
-
-Recording parseRecording(std::string_view text, uint32_t characterUs) {
-  const auto take = [&text](std::string &line) {
-    const bool is = !text.empty();
-    line = takeLine(text);
-    return is;
-  };
-  return readLines(take, characterUs);
 }
 
 }  // namespace line

@@ -1,7 +1,6 @@
 // Reads recordings and a sketch's rows line by line.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,11 +51,7 @@ class RowsReader : public LineReader {
   bool _hasTimes = false;
 };
 
-// Reads a whole recording. `take` sets the next line, and returns false at the end. With an error, the characters are
-// those before it.
-Recording readLines(const std::function<bool(std::string &line)> &take, uint32_t characterUs);
-
-// Reads the whole text of a recording.
+// Reads the whole text of a recording. With an error, the characters are those before it.
 Recording parseRecording(std::string_view text, uint32_t characterUs = CharacterUs);
 
 }  // namespace line
