@@ -84,11 +84,27 @@ class Receiver:
         """Returns what has come: the sender has ended."""
         self.socket.setblocking(False)
         datagrams = []
-        while True:
-            try:
+        with contextlib.suppress(BlockingIOError):
+            while True:
                 datagrams.append(self.next())
-            except BlockingIOError:
-                return datagrams
+        return datagrams
+
+
+def follows(what, outputs, live, lost):
+    """A program prints or sends `live` of a live link, and `lost` in failsafe, of late frames and at its end."""
+    for source, wanted in (LIVE, live), (FAILSAFE, lost):
+        values = outputs(source)
+        well = len(values) > 10 and values[-1] == lost and wanted in values and all(value in (wanted, lost) for value in values)
+        verdict(well, f"{what} of {source}")
+
+
+def datagrams_of(command, read):
+    """Returns a function that runs the command on a source, a receiver's port in place of PORT, and returns what it sends."""
+    def outputs(source):
+        receiver = Receiver()
+        run(on(command, source).replace("PORT", str(receiver.port)))
+        return [read(datagram) for datagram in receiver.all()]
+    return outputs
 
 
 # ---- What counts as a lost link
@@ -160,13 +176,8 @@ def of_serial_studio(datagram):
 
 
 for name, read in [("udp", of_json), ("plotjuggler", of_plotjuggler), ("teleplot", of_teleplot), ("serial-studio", of_serial_studio)]:
-    command = re.sub(r" 192\.[0-9.]+$", "", taken(f"sbus bridge /dev/ttyUSB0 - | python3 plot.py {name}"))
-    for source, wanted in (LIVE, {"lost": 0, **US}), (FAILSAFE, {"lost": 1}):
-        receiver = Receiver()
-        done = run(f"{on(command, source)} 127.0.0.1 {receiver.port}")
-        values = [read(datagram) for datagram in receiver.all()]
-        verdict(done.returncode == 0 and len(values) > 10 and values[-1] == {"lost": 1} and (wanted in values) and
-                all(value in (wanted, {"lost": 1}) for value in values), f"plot.py {name} of {source}")
+    command = re.sub(r" 192\.[0-9.]+$", "", taken(f"sbus bridge /dev/ttyUSB0 - | python3 plot.py {name}")) + " 127.0.0.1 PORT"
+    follows(f"plot.py {name}", datagrams_of(command, read), {"lost": 0, **US}, {"lost": 1})
 
 # A pipe that hangs or breaks: a lost link is reported while nothing comes, the sticks when they come again.
 for end in signal.SIGKILL, signal.SIGINT:
@@ -247,12 +258,7 @@ command = taken("sbus bridge /dev/ttyUSB0 - | python3 mavlink.py ")
 if not importlib.util.find_spec("pymavlink"):
     (folder / "pymavlink.py").write_text(PYMAVLINK)
     print("skipped sbus: recipes: MAVLink with pymavlink itself: it is not here")
-for source, wanted in (LIVE, [2012, 1500, 1192] + [1500] * 13 + [65535] * 2), (FAILSAFE, RELEASED):
-    receiver = Receiver()
-    done = run(on(command, source).replace("14550", str(receiver.port)))
-    values = [of_mavlink(datagram) for datagram in receiver.all()]
-    verdict(done.returncode == 0 and len(values) > 10 and values[-1] == RELEASED and wanted in values and
-            all(value in (wanted, RELEASED) for value in values), f"mavlink.py of {source}")
+follows("mavlink.py", datagrams_of(command.replace("14550", "PORT"), of_mavlink), [2012, 1500, 1192] + [1500] * 13 + [65535] * 2, RELEASED)
 
 # ---- ROS 2
 
@@ -277,13 +283,9 @@ class Node:
 def create_node(name): return Node()
 ''')
 command = taken("sbus bridge /dev/ttyUSB0 - | python3 ros.py")
-LOST = "[0.0, 0.0, -1.0, 0.0] [0]"
-STICKS = f"[{819 / 819.5}, 0.0, {-492 / 819.5}, 0.0] [1]"
-for source, wanted in (LIVE, STICKS), ("ch1=2047", "[1.0, 0.0, -1.0, 0.0] [1]"), (FAILSAFE, LOST):
-    done = run(on(command, source))
-    lines = done.stdout.splitlines()
-    verdict(done.returncode == 0 and len(lines) > 10 and lines[-1] == LOST and wanted in lines and
-            all(line in (wanted, LOST) for line in lines), f"ros.py of {source}")
+follows("ros.py", lambda source: run(on(command, source)).stdout.splitlines(), f"[{819 / 819.5}, 0.0, {-492 / 819.5}, 0.0] [1]",
+        "[0.0, 0.0, -1.0, 0.0] [0]")
+verdict("[1.0, -1.0, -1.0, 0.0] [1]" in run(on(command, "ch1=2047,ch2=0")).stdout, "ros.py limits its axes to -1..1")
 
 # ---- A game controller: js_event of a FIFO, which ends where a device would say that it is gone
 
