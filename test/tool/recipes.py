@@ -208,7 +208,7 @@ else:
         port = free.getsockname()[1]
     (folder / "broker").write_text(f"listener {port} 127.0.0.1\nallow_anonymous true\n")
     start([broker, "-c", folder / "broker"])
-    wait = f"timeout {SECONDS} sh -c 'until mosquitto_sub -p {port} -t sbus -t ready; do sleep 0.1; done'"
+    wait = f"timeout --foreground {SECONDS} sh -c 'until mosquitto_sub -p {port} -t sbus -t ready; do sleep 0.1; done'"
     subscriber = start(wait, stdout=subprocess.PIPE, text=True)
     greeter = start(f"while :; do mosquitto_pub -p {port} -t ready -m ready; sleep 0.1; done")
 
