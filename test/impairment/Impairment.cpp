@@ -165,10 +165,10 @@ int main() {
     printHeading({"line", "damaged", "missed", "wrong", "late", "too young"});
   } else if (full) {
     printHeading({"line", "setup", "sticks", "damaged", "intact", "missed", "wrong", "late", "too young",
-                  "altered, handed over", "the paper's: damaged", "intact", "missed", "wrong", "late", "too young",
-                  "altered, handed over"});
+                  "altered, delivered", "the paper's: damaged", "intact", "missed", "wrong", "late", "too young",
+                  "altered, delivered"});
   } else {
-    printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "too young", "altered, handed over",
+    printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "too young", "altered, delivered",
                   "the paper's: missed per damaged", "wrong"});
   }
   for (const Condition &condition : conditions()) {
