@@ -150,6 +150,7 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
       {"of 200 ms, with the other polarity", {Noise, Noise, Came::frames(2).period(200)}, Finding::WrongPolarity, 2},
       {"of 100 ms, for less than half of the time", {Came::frames(2).period(100)}, Finding::NoFrames, 0},
       {"of 100 ms, and as much noise", {Came::frames(5).period(100).skipped(199)}, Finding::NoFrames, 0},
+      {"... with the other polarity", {Noise, Noise, Came::frames(5).period(100).skipped(199)}, Finding::NoFrames, 2},
       {"of 80 ms, damaged", {Came::frames(6).period(80).byEnd(2).skipped(48).resyncs(2)}, Finding::Noise, 0},
       {"of 80 ms, in failsafe", {Came::frames(6).period(80).failsafe(6)}, Finding::Failsafe, 0},
       {"of a line interrupted for seconds", {Came::frames(3).period(9), Noise}, Finding::NoFrames, 0},
