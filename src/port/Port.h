@@ -22,7 +22,7 @@ class Port : private CoreKind::Pins {
   template <typename Class>
   Port(Class &port, int8_t rx, int8_t tx) : Port(port, Pins(rx, tx)) {
     static_assert(KindOf<Class>::Pins::AreGiven,
-                  "This core, or an old one, cannot choose this port's pins: extras/docs/boards.md");
+                  "This version of the core cannot choose this port's pins: extras/docs/boards.md");
   }
 
   // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Ignores a baud rate far below S.Bus:
