@@ -294,9 +294,9 @@ command = taken("python3 controller.py /dev/input/js0 | sbus send - ")
 command = command.replace("/dev/input/js0", "js0").replace(" --port /dev/ttyUSB0", "")
 
 
-# Returns whether the frames are right at first, with the sticks moved, and once the controller is gone. A pseudo-terminal
-# whose sender has ended loses what a late reader has not read: then the last is False.
 def controller_goes():
+    """Returns whether the frames are right at first, with the sticks moved, and once the controller is gone. A pseudo-terminal
+    whose sender has ended loses what a late reader has not read: then the last is False."""
     (folder / "terminal").write_text("")
     start(f"{command} >terminal", cwd=folder)
     AXIS, INITIAL = 2, 0x80

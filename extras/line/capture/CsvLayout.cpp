@@ -43,7 +43,7 @@ constexpr struct {
              {"millisecond", 1e6}, {"milliseconds", 1e6}, {"us", 1e3},          {"microsecond", 1e3},
              {"microseconds", 1e3}, {"ns", 1},            {"nanosecond", 1},    {"nanoseconds", 1}};
 
-// Returns the unit of time in a text, in ns; 0: there is none.
+// Returns the unit of time that a text names, in ns, or 0 if it names none.
 double unitIn(std::string_view text) {
   const auto *const unit = std::find_if(std::begin(Units), std::end(Units),
                                         [text](const auto &each) { return hasWord(text, {each.word}); });
