@@ -1,14 +1,11 @@
 #!/bin/sh
 # Runs every example, built for this PC by extras/host in a variant of build.mk, and says "ok ..." or "FAILED ..." of:
-#   golden/EXAMPLE.csv             what it prints with the simulated receiver for 1.1 s, or as golden/LINES says
-#   golden/EXAMPLE-LINE.csv        what it prints on a line that golden/LINES describes
-#   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has extras/host/OPTIONS, to
-#                                  which a second of frames says nothing
+#   golden/EXAMPLE.csv             what it prints, on a line that golden/LINES describes
+#   golden/EXAMPLE-LINE.csv
 #   golden/README.csv              what README.md's ten lines print
 #   verdicts/LINES                 what the sketch Diagnose finds on each of these lines
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   README.md, docs/examples.md    that they show lines of golden files
-#   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
 # "golden.sh VARIANT update" writes the golden files instead.
 set -u
@@ -16,8 +13,6 @@ cd "$(dirname "$0")" || exit 1
 variant=$1
 out=${BUILD:-$(cd .. && pwd)/build/test}/$variant
 build=$out/sketches
-examples=$(cd ../examples && ls)
-recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')
 update="${2:-}"
 
 verdict() {  # STATUS WHAT
@@ -48,24 +43,13 @@ program() {
     { rm -f "$build/$(basename "$1")"; false; }
 }
 
-bad_recording() {  # PROGRAM MESSAGE
-  file=${2%%:*}
-  (cd recordings/bad && timeout 300 "$1" --simulated-time --source "$file") >"$build/out" 2>"$build/err"
-  status=$?
-  printf '%s\n' "$2" | cmp - "$build/err" && [ "$status" -ne 0 ] && [ ! -s "$build/out" ]
-  verdict $? "recordings/bad/$file"
-}
-
-printf '\n%s, examples: golden files and bad recordings\n' "$variant"
+printf '\n%s, examples: golden files\n' "$variant"
 mkdir -p "$build" golden
 grep -v '^#' golden/LINES >"$build/lines"
-for example in $examples; do
+for folder in ../examples/*; do
+  example=${folder##*/}
   program "examples/$example"
-  grep -q "^$example - " "$build/lines" || golden "$example" "$build/$example" --seconds 1.1
-  grep -q "^$example " ../extras/host/OPTIONS && continue
-  for recording in $recordings; do
-    golden "$example-$recording" "$build/$example" --source "recordings/$recording.txt"
-  done
+  grep -q "^$example - " "$build/lines" || verdict 1 "$example is not in golden/LINES"
 done
 while read -r example line options; do
   # shellcheck disable=SC2086  # the options are words
@@ -137,12 +121,6 @@ while IFS='|' read -r finding _ _ by arguments; do
   verdict $? "Diagnose of $arguments: $finding"
 done <"$build/lines"
 
-while IFS= read -r message; do
-  bad_recording "$build/DecodeSBus" "$message"
-done <recordings/bad/MESSAGES
-for file in recordings/bad/*.txt; do
-  grep -q "^${file##*/}:" recordings/bad/MESSAGES || verdict 1 "$file is not in MESSAGES"
-done
 for file in golden/*.csv; do
-  [ -f "$build/${file##*/}" ] || verdict 1 "$file belongs to no example, recording or line"
+  [ -f "$build/${file##*/}" ] || verdict 1 "$file belongs to no line of golden/LINES"
 done

@@ -29,10 +29,10 @@ all  boards-avr       Arduino Mega, Leonardo, Uno: examples
 all  tool             sbus: what it prints, records and rejects
 all  fuzz             libFuzzer
 all  boards-cores     other cores: library and examples on stand-ins
-test examples-plain   examples and recordings
-all  examples-sanitized examples and recordings, g++ with sanitizers
+test examples-plain   examples
+all  examples-sanitized examples, g++ with sanitizers
 all  sketches-sanitized sketches in the style of forums
-all  examples-clang   examples and recordings, clang++ -O2
+all  examples-clang   examples, clang++ -O2
 test lines-300        impaired lines against their bounds
 all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
 both rules            the rules of receiver.md
