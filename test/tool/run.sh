@@ -2,7 +2,7 @@
 # Runs `sbus`, built by g++ with the address sanitizer, and says "ok ..." or "FAILED ..." of:
 #   golden/*.csv               `sbus csv` prints what the sketches print
 #   tool/REJECTIONS            what it says when it cannot do something
-#   recordings/bad/MESSAGES    what it says about each bad recording
+#   tool/RECORDINGS            what it says about each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   the other scripts here     the first lines of each say what
 #   tool/STATUS                the exit status
@@ -119,9 +119,18 @@ while IFS= read -r line; do
   # shellcheck disable=SC2086  # the arguments are words
   rejected "${line#* = }" ${line%% = *}
 done <"$work/rejections"
-while IFS= read -r message; do
-  (cd recordings/bad && rejected "sbus hex: $message" hex "${message%%:*}")
-done <recordings/bad/MESSAGES
+# bad TEXT MESSAGE: a recording of this text
+bad() {
+  # shellcheck disable=SC2059  # the text is a format
+  printf "$1" >"$work/bad.txt"
+  (cd "$work" && rejected "sbus hex: bad.txt:$2" hex bad.txt)
+}
+sed 1d tool/RECORDINGS >"$work/recordings"
+while IFS='|' read -r text message; do
+  bad "$text" "$message"
+done <"$work/recordings"
+bad "120$(printf ' 0F%.0s' $(seq 1365))" '1: line is too long: at most 4096 characters are expected'
+rejected 'sbus hex: there-is-none.txt: cannot be opened (No such file or directory); the name of a recording is expected' hex there-is-none.txt
 
 grep -v '^#' tool/STATUS >"$work/statuses"
 while IFS= read -r line; do
