@@ -1,5 +1,6 @@
 #!/bin/sh
-# Builds the libFuzzer programs of fuzz/ and runs each for some seconds, from our own corpus; says "ok ..." or "FAILED ...".
+# Builds the libFuzzer programs of fuzz/ and runs each for some seconds, from the seeds of fuzz/SEEDS ("=== PROGRAM/NAME"
+# begins one, hexadecimal if it ends in "hex"; WireFuzz makes its own); says "ok ..." or "FAILED ...".
 # An input that fails is written to build/test/fuzz/PROGRAM/, and running the program on it shows it again.
 #
 #   fuzz.sh            ten seconds each, or SECONDS=n
@@ -29,8 +30,13 @@ for program in $(build list-fuzz); do
   fi
   rm -rf "$folder/corpus"
   mkdir -p "$folder/corpus"
+  FOLDER="$folder/corpus" PROGRAM="$name" perl -ne 'if (/^=== (\S+)\/(\S+)( hex)?$/) {
+    close SEED;
+    $taken = $1 eq $ENV{PROGRAM} && open(SEED, ">", "$ENV{FOLDER}/$2");
+    $hex = $3;
+  } elsif ($taken) { print SEED $hex ? pack("H*", s/\s//gr) : $_ }' fuzz/SEEDS
   if SEEDS="$folder/corpus" timeout $((seconds + 60)) "$program" -max_total_time="$seconds" -runs="$most" -seed="$seed" -max_len=1024 \
-    -timeout=5 -artifact_prefix="$folder/" "$folder/corpus" "fuzz/corpus/$name" >"$folder/log" 2>&1; then
+    -timeout=5 -artifact_prefix="$folder/" "$folder/corpus" >"$folder/log" 2>&1; then
     tail -n 1 "$folder/log"
     echo "ok fuzz/$name"
   else
