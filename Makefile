@@ -10,17 +10,10 @@ zip:
 release:
 	@sh extras/setup/release.sh
 
-# make cannot handle names with spaces. If this folder's name has one, the work is done in a copy whose name has none, and
-# the results are in build/ here.
+# make cannot handle names with blanks.
 ifneq ($(words $(CURDIR)),1)
-absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
-# A sketch beside this folder is not in the copy.
-outside = $(if $(filter ..%,$(firstword $(SKETCH))),SKETCH="$$(realpath -m '$(SKETCH)')")
-$(work):
-	@copy=$$(sh extras/setup/copy.sh) && $(MAKE) --no-print-directory -C "$$copy" $@ $(call absolute,CAPTURES) \
-	  $(if $(wildcard $(SOURCE)),$(call absolute,SOURCE),$(if $(SOURCE),SOURCE='$(SOURCE)')) $(outside) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
-dist:
-	@echo "make dist: the name of this folder has a blank. Rename it." >&2; exit 1
+$(work) dist:
+	@echo "make: the name of this folder has a blank, or that of a folder around it. Rename it." >&2; exit 1
 else
 
 dist:

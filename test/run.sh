@@ -38,7 +38,7 @@ all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
 both rules            the rules of receiver.md
 all  package          the ZIP, and a release
 all  platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
-all  setup            what is said where packages are missing; a folder with a blank
+all  setup            what is said where packages are missing
 both uses             every public function is used by a sketch; keywords
 all  captures         recordings of real receivers
 all  figures          the figures of measured.md
