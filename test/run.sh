@@ -32,7 +32,6 @@ all  boards-cores     other cores: library and examples on stand-ins
 test examples-plain   examples
 all  examples-sanitized examples, g++ with sanitizers
 all  sketches-sanitized sketches in the style of forums
-all  examples-clang   examples, clang++ -O2
 test lines-300        impaired lines against their bounds
 all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
 both rules            the rules of receiver.md
