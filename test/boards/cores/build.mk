@@ -131,14 +131,21 @@ TEST := -std=gnu++14 -O1 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/%.cpp,$(OUT)/core/%.o,$(wildcard $(ROOT)/src/sbus*/*.cpp))
 
 comma := ,
+hash := \#
 SIMULATION := $(addprefix simulation/,SimulatedBus SimulatedReceiver Choreography) LineSettings
 
 # On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
 with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g',cat)
+# Headers of a core that are one here: NAME/HEADER includes WHAT.
+name = $(shell [ -e $(OUT)/names/$1 ] || { mkdir -p $(dir $(OUT)/names/$1) && echo '$(hash)include "$2"' >$(OUT)/names/$1; })
+$(foreach header,esp_attr.h esp_timer.h freertos/FreeRTOS.h freertos/semphr.h hal/uart_ll.h,$(call name,esp32/$(header),EspIdf.h))
+$(foreach header,hardware/irq.h hardware/sync.h hardware/timer.h pico.h,$(call name,pico/$(header),PicoSdk.h))
+$(call name,esp32/ESP32Servo.h,$(HOST)/arduino/Servo.h)
+
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
+$1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(OUT)/names/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(OUT)/names/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \

@@ -1,7 +1,17 @@
-// github.com/raspberrypi/pico-sdk 2.2.0 (a1438df): src/rp2_common/hardware_timer/timer.c, as far as the library calls it.
+// github.com/raspberrypi/pico-sdk 2.2.0 (a1438df), as far as the library calls it: src/rp2_common, hardware_irq and
+// hardware_timer. build.mk gives it the names of all these headers.
 #pragma once
 
 #include <stdint.h>
+
+unsigned get_core_num();
+
+#define PICO_DEFAULT_IRQ_PRIORITY 0x80
+#define PICO_LOWEST_IRQ_PRIORITY 0xff
+void irq_set_priority(unsigned number, uint8_t priority);
+
+uint32_t save_and_disable_interrupts();
+void restore_interrupts(uint32_t status);
 
 using uint = unsigned;
 using absolute_time_t = uint64_t;

@@ -1,3 +1,0 @@
-#pragma once
-
-#define IRAM_ATTR
