@@ -1,14 +1,23 @@
 /// @file
-/// Sends a slot on time while loop() is busy: one file for each core that can do that, and nothing for the others.
+/// Sends a slot on time while loop() is busy, on the cores that can do that.
 #pragma once
 
 #include <Arduino.h>
 #include <stdint.h>
 
 #include "../sbus/Barrier.h"
-#include "Core.h"
-#include "ReceiveNotice.h"
 #include "Port.h"
+#include "ReceiveNotice.h"
+#if defined(SBUS_RP2040)
+#include <hardware/sync.h>
+#include <hardware/timer.h>
+#elif defined(SBUS_ESP32)
+#include <esp_timer.h>
+#include <freertos/FreeRTOS.h>
+#include <freertos/semphr.h>
+
+#include "FifoWatch.h"
+#endif
 
 namespace sbus {
 
@@ -91,19 +100,152 @@ class FlagLock {
   static volatile bool isLocked;  // defined by the timer that uses it
 };
 
-}  // namespace sbus
-
 #if defined(SERIAL_SBUS) && defined(TIM7)
-#include "SlotTimerStm32L0.h"
-#elif defined(SBUS_AVR) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
-#include "SlotTimerAvr.h"
-#elif defined(SBUS_RP2040)
-#include "SlotTimerRp2040.h"
-#elif defined(SBUS_ESP32)
-#include "SlotTimerEsp32.h"
-#elif defined(SBUS_TEENSY4)
+#define SBUS_SLOT_TIMER
 
-namespace sbus {
+// STM32L0: TIM7, which nothing in the core uses, calls when a slot is due. As on the other cores there is only one
+// timer: a second sensor is polled from loop().
+class SlotTimer : public NoSlotTimer {
+ public:
+  static constexpr bool HasCallback = true;
+
+  using NoSlotTimer::start;
+  static bool start(Uart &port, void (*due)(void *), void *context);
+  static void stop(void *context);
+  static void at(uint32_t us);
+  static bool isFresh();
+  static bool isQuiet(Port &, int);
+  static bool send(const uint8_t *characters, size_t size);
+};
+
+#elif defined(SBUS_AVR) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+#define SBUS_SLOT_TIMER
+
+// AVR: compare B of timer 2, in steps of 4 us. It polls the port, often while a frame's end is expected. tone() and
+// analogWrite() of its pins (Mega: 9, 10; Uno: 3, 11) do not work beside it. (Timer 0, of millis(), is a PWM: there a
+// new compare value waits for the overflow.)
+class SlotTimer : public NoSlotTimer {
+ public:
+  using Lock = FlagLock;  // an AVR reads 32 bits one by one
+  static bool isLocked() { return Lock::isLocked; }
+
+  using NoSlotTimer::start;
+  static bool start(HardwareSerial &port, void (*due)(void *), void *context);
+  static void stop(void *context);
+  static void at(uint32_t us);
+  static bool isLate() { return _isLate; }
+  static bool send(const uint8_t *characters, size_t size);
+  static void tick();  // the interrupt
+
+ private:
+  static bool _isLate;
+};
+
+#elif defined(SBUS_RP2040)
+#define SBUS_SLOT_TIMER
+
+// RP2040, RP2350 (arduino-pico): an alarm of the microsecond timer that nothing else uses. It polls the port, often
+// while a frame's end is expected, at the lowest priority: other interrupts come first. It runs on the core that has
+// called begin().
+class SlotTimer : public NoSlotTimer {
+ public:
+  using Lock = FlagLock;
+  static bool isLocked() { return Lock::isLocked; }
+
+  // No interrupt comes between a look at the clock and the start bit.
+  class Alone {
+   public:
+    Alone() : _interrupts(save_and_disable_interrupts()) {}
+    ~Alone() { restore_interrupts(_interrupts); }
+    Alone(const Alone &) = delete;
+    Alone &operator=(const Alone &) = delete;
+    uint32_t start(uint32_t planned) const {
+      const uint32_t now = time_us_32();
+      return static_cast<int32_t>(now - planned) > 0 ? now : planned;
+    }
+
+   private:
+    const uint32_t _interrupts;
+  };
+
+  using NoSlotTimer::start;
+  static bool start(SerialUART &port, void (*due)(void *), void *context);
+  static void stop(void *context);
+  static void at(uint32_t us);
+  // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).
+  static void wait(uint32_t us) { busy_wait_us_32(us); }
+  static bool send(const uint8_t *characters, size_t size);
+};
+
+#elif defined(SBUS_ESP32)
+#define SBUS_SLOT_TIMER
+
+// ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer. Its task polls the port and watches the UART's FIFO,
+// often while a frame's end is expected. Tasks of a higher priority (WiFi) and writes to flash delay that task, and
+// cost answers. A second sensor does not answer.
+class SlotTimer : public NoSlotTimer {
+ public:
+  // The task is on another core than loop(): each waits for the other, and loop() up to 1.5 ms while a frame's end is
+  // expected.
+  class Lock {
+   public:
+    Lock() : _taken(_mutex) {
+      if (_taken != nullptr) {
+        xSemaphoreTake(_taken, portMAX_DELAY);
+      }
+    }
+    ~Lock() {
+      if (_taken != nullptr) {
+        xSemaphoreGive(_taken);
+      }
+    }
+    Lock(const Lock &) = delete;
+    Lock &operator=(const Lock &) = delete;
+
+   private:
+    const SemaphoreHandle_t _taken;
+  };
+  using Apart = Lock;
+
+  // No interrupt, and no write to flash, comes between a look at the clock and the start bit; but the cache may lack
+  // what lies in flash. So send() looks once more, and the time of the start is the latest that it allows.
+  class Alone {
+   public:
+    Alone() { portENTER_CRITICAL(&_lock); }
+    ~Alone() { portEXIT_CRITICAL(&_lock); }
+    Alone(const Alone &) = delete;
+    Alone &operator=(const Alone &) = delete;
+    uint32_t start(uint32_t planned) const {
+      _looked = clock();
+      const uint32_t latest = _looked + LongestSend;
+      return static_cast<int32_t>(latest - planned) > 0 ? latest : planned;
+    }
+  };
+
+  using NoSlotTimer::start;
+  static bool start(HardwareSerial &port, void (*due)(void *), void *context);
+  static void stop(void *context);
+  static void at(uint32_t us);
+  static int waiting(Port &);
+  static bool isQuiet(Port &port, int waiting);
+  static bool send(const uint8_t *characters, size_t size);
+
+  static void polled(unsigned found, uint32_t by);
+  static FrameEnd endOf(bool isTimed, ReceiveNotice, unsigned found, uint32_t, uint32_t by) {
+    return isTimed && found != 0 ? _watch.end() : FifoWatch::unknown(by);
+  }
+
+ private:
+  static constexpr uint32_t LongestSend = 30;  // us
+  static uint32_t clock() { return static_cast<uint32_t>(esp_timer_get_time()); }
+
+  static SemaphoreHandle_t _mutex;
+  static portMUX_TYPE _lock;
+  static uint32_t _looked;
+  static FifoWatch _watch;
+};
+
+#elif defined(SBUS_TEENSY4)
 
 // No timer, but a counter that runs on while interrupts are off. micros() stops 1 ms after the newest interrupt of its
 // own, and goes on from there (cores 7f107ee, teensy4/delay.c:118).
@@ -123,14 +265,10 @@ class SlotTimer : public NoSlotTimer {
   };
 };
 
-}  // namespace sbus
-
 #else
-
-namespace sbus {
 
 using SlotTimer = NoSlotTimer;
 
-}  // namespace sbus
-
 #endif
+
+}  // namespace sbus
