@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "../sbus/Frame.h"
-#include "Format.h"
+#include "Core.h"
 
 namespace sbus {
 

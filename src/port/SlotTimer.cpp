@@ -257,7 +257,7 @@ bool SlotTimer::send(const uint8_t *characters, size_t size) {
   return sender->write(characters, size) == size;
 }
 
-#else  // ESP32
+#elif defined(SBUS_ESP32)
 
 namespace {
 

@@ -275,7 +275,7 @@ void PolledByTimer::stopTimer() {
 
 }  // namespace sbus
 
-#else  // SAMD
+#elif defined(SBUS_SAMD)
 
 namespace {
 

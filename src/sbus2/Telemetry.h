@@ -20,7 +20,7 @@ struct Trust {
 /// (wholeSlots()).
 ///
 /// The context that reads the port calls the events; they may interrupt read().
-class Telemetry {
+class Telemetry : public NoEvents {
  public:
   /// How often in a row a slot may be missing before its data are too old: a slot comes every 60 ms.
   static constexpr uint8_t MissesMax = 16;
@@ -43,13 +43,8 @@ class Telemetry {
   void begin();                                         ///< see NoEvents
   void interval(uint32_t us) { _interval = us; }        ///< see NoEvents
   void taken(const uint8_t *frame);                     ///< see NoEvents
-  void extra(const uint8_t *, uint32_t) {}              ///< see NoEvents; Frame16 has none
   void lost() { _count = Lost; }                        ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
-  void rejected(int, Rejection) {}                      ///< see NoEvents
-  static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
-  static constexpr bool wantsTimes() { return false; }  ///< see NoEvents
-  void asked(int, uint32_t) {}                          ///< see NoEvents
 
  protected:
   /// Moves the data that slot `slot` brought between the two newest frames to `data`. Returns false if it brought none.

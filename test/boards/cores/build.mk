@@ -140,7 +140,7 @@ define core_rules
 $1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
-  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
+  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
