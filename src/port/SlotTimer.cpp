@@ -81,15 +81,15 @@ void SlotTimer::stop(void *context) {
   }
 }
 
-void SlotTimer::at(uint32_t us) {
+void SlotTimer::callIn(uint32_t us) {
   stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true);
 }
 
-bool SlotTimer::isFresh() {
-  return DmaSender::isFresh(sender);
+bool SlotTimer::cameAtOnce() {
+  return DmaSender::cameAtOnce(sender);
 }
 
-bool SlotTimer::isQuiet(Port &, int) {
+bool SlotTimer::isLineIdle(Port &, int) {
   return !DmaSender::hears(sender);
 }
 
@@ -142,7 +142,7 @@ void SlotTimer::stop(void *context) {
 }
 
 // Called by due() only, in the interrupt.
-void SlotTimer::at(uint32_t us) {
+void SlotTimer::callIn(uint32_t us) {
   const uint32_t wanted = us * (F_CPU / 1000000) / Divider;
   ticks = static_cast<uint8_t>(wanted < Soonest ? Soonest : wanted > Latest ? Latest : wanted);
 }
@@ -248,7 +248,7 @@ void SlotTimer::stop(void *context) {
 }
 
 // Called by due() only, in the interrupt.
-void SlotTimer::at(uint32_t us) {
+void SlotTimer::callIn(uint32_t us) {
   next = us < Soonest ? soon() : us;
 }
 
@@ -321,7 +321,7 @@ void SlotTimer::stop(void *context) {
 }
 
 // Called by due() only, in the task.
-void SlotTimer::at(uint32_t us) {
+void SlotTimer::callIn(uint32_t us) {
   next = us < Soonest ? Soonest : us;
 }
 
@@ -336,7 +336,7 @@ int IRAM_ATTR SlotTimer::waiting(Port &) {
 }
 
 // The driver may have taken all characters out of the FIFO meanwhile.
-bool IRAM_ATTR SlotTimer::isQuiet(Port &port, int waiting) {
+bool IRAM_ATTR SlotTimer::isLineIdle(Port &port, int waiting) {
   const int now = SlotTimer::waiting(port);
   return now == waiting || (now == 0 && waiting > 0);
 }

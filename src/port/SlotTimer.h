@@ -42,34 +42,34 @@ class NoSlotTimer {
 
   // Keeps due() from running on another core while this exists. For code that due() may interrupt: a Lock would cost
   // answers there.
-  using Apart = Lock;
+  using OtherCoreLock = Lock;
 
   // Held from reading the clock until the start bit goes out, on cores where other interrupts could come in between.
-  struct Alone {
-    Alone() {}
+  struct CriticalSection {
+    CriticalSection() {}
     // Returns when that is: `planned`, or later.
     uint32_t start(uint32_t planned) const { return planned; }
   };
 
-  // Calls due(context) at the time given to at(). Returns false if it cannot.
+  // Calls due(context) at the time given to callIn(). Returns false if it cannot.
   static bool start(Stream &, void (*)(void *), void *) { return false; }
   // Stops these calls.
   static void stop(void *) {}
   // Calls due() in `us` from now, or a little later.
-  static void at(uint32_t) {}
+  static void callIn(uint32_t) {}
   // Waits, in loop() or in due().
   static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
   // Returns true if the last callback for half of the ring ran within a character's time.
-  static bool isFresh() { return false; }
+  static bool cameAtOnce() { return false; }
   // Returns how many characters have come that were not read.
   static int waiting(Port &port) { return port.available(); }
   // Returns true if no character has come since there were `waiting`, and none comes in, if the port can tell.
-  static bool isQuiet(Port &port, int waiting) { return port.available() == waiting; }
+  static bool isLineIdle(Port &port, int waiting) { return port.available() == waiting; }
   // Returns true if due() came so late that micros() may have stood still meanwhile.
   static bool isLate() { return false; }
   // The time between two polls from loop(), where it can be told whether micros() may have stood still.
-  struct Gap {
-    static bool isLong() { return false; }
+  struct ClockCheck {
+    static bool mayHaveStopped() { return false; }
   };
   // Sends at once. Returns false if it cannot.
   static bool send(const uint8_t *, size_t) { return false; }
@@ -112,9 +112,9 @@ class SlotTimer : public NoSlotTimer {
   using NoSlotTimer::start;
   static bool start(Uart &port, void (*due)(void *), void *context);
   static void stop(void *context);
-  static void at(uint32_t us);
-  static bool isFresh();
-  static bool isQuiet(Port &, int);
+  static void callIn(uint32_t us);
+  static bool cameAtOnce();
+  static bool isLineIdle(Port &, int);
   static bool send(const uint8_t *characters, size_t size);
 };
 
@@ -132,7 +132,7 @@ class SlotTimer : public NoSlotTimer {
   using NoSlotTimer::start;
   static bool start(HardwareSerial &port, void (*due)(void *), void *context);
   static void stop(void *context);
-  static void at(uint32_t us);
+  static void callIn(uint32_t us);
   static bool isLate() { return _isLate; }
   static bool send(const uint8_t *characters, size_t size);
   static void tick();  // the interrupt
@@ -153,12 +153,12 @@ class SlotTimer : public NoSlotTimer {
   static bool isLocked() { return Lock::isLocked; }
 
   // No interrupt comes between a look at the clock and the start bit.
-  class Alone {
+  class CriticalSection {
    public:
-    Alone() : _interrupts(save_and_disable_interrupts()) {}
-    ~Alone() { restore_interrupts(_interrupts); }
-    Alone(const Alone &) = delete;
-    Alone &operator=(const Alone &) = delete;
+    CriticalSection() : _interrupts(save_and_disable_interrupts()) {}
+    ~CriticalSection() { restore_interrupts(_interrupts); }
+    CriticalSection(const CriticalSection &) = delete;
+    CriticalSection &operator=(const CriticalSection &) = delete;
     uint32_t start(uint32_t planned) const {
       const uint32_t now = time_us_32();
       return static_cast<int32_t>(now - planned) > 0 ? now : planned;
@@ -171,7 +171,7 @@ class SlotTimer : public NoSlotTimer {
   using NoSlotTimer::start;
   static bool start(SerialUART &port, void (*due)(void *), void *context);
   static void stop(void *context);
-  static void at(uint32_t us);
+  static void callIn(uint32_t us);
   // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).
   static void wait(uint32_t us) { busy_wait_us_32(us); }
   static bool send(const uint8_t *characters, size_t size);
@@ -205,16 +205,16 @@ class SlotTimer : public NoSlotTimer {
    private:
     const SemaphoreHandle_t _taken;
   };
-  using Apart = Lock;
+  using OtherCoreLock = Lock;
 
   // No interrupt, and no write to flash, comes between a look at the clock and the start bit; but the cache may lack
   // what lies in flash. So send() looks once more, and the time of the start is the latest that it allows.
-  class Alone {
+  class CriticalSection {
    public:
-    Alone() { portENTER_CRITICAL(&_lock); }
-    ~Alone() { portEXIT_CRITICAL(&_lock); }
-    Alone(const Alone &) = delete;
-    Alone &operator=(const Alone &) = delete;
+    CriticalSection() { portENTER_CRITICAL(&_lock); }
+    ~CriticalSection() { portEXIT_CRITICAL(&_lock); }
+    CriticalSection(const CriticalSection &) = delete;
+    CriticalSection &operator=(const CriticalSection &) = delete;
     uint32_t start(uint32_t planned) const {
       _looked = clock();
       const uint32_t latest = _looked + LongestSend;
@@ -225,9 +225,9 @@ class SlotTimer : public NoSlotTimer {
   using NoSlotTimer::start;
   static bool start(HardwareSerial &port, void (*due)(void *), void *context);
   static void stop(void *context);
-  static void at(uint32_t us);
+  static void callIn(uint32_t us);
   static int waiting(Port &);
-  static bool isQuiet(Port &port, int waiting);
+  static bool isLineIdle(Port &port, int waiting);
   static bool send(const uint8_t *characters, size_t size);
 
   static void polled(unsigned found, uint32_t by);
@@ -251,9 +251,9 @@ class SlotTimer : public NoSlotTimer {
 // own, and goes on from there (cores 7f107ee, teensy4/delay.c:118).
 class SlotTimer : public NoSlotTimer {
  public:
-  class Gap {
+  class ClockCheck {
    public:
-    bool isLong() {
+    bool mayHaveStopped() {
       const uint32_t now = ARM_DWT_CYCCNT;
       const uint32_t cycles = now - _newest;
       _newest = now;

@@ -9,9 +9,8 @@
 #pragma once
 
 #include <limits.h>
+#include <stddef.h>
 #include <stdint.h>
-
-#include "ChannelArray.h"
 
 /// The core: decodes frames, finds them in a stream of bytes, judges the link, scales and calibrates channels. It does
 /// not use Arduino.
@@ -116,6 +115,39 @@ constexpr bool failsafe(const uint8_t *frame) {
 /// Returns the index of the first header within `frame` (`size` bytes) that follows an end byte of `variant`, or of any
 /// variant for UnknownVariant; otherwise `size`.
 int innerHeader(const uint8_t *frame, int size, uint8_t variant);
+
+/// The parameter of a function that reads or writes `Count` channels: an array, which does not compile if it is too
+/// small, or a pointer to as many values. `Value` is const uint16_t, or uint16_t if the function writes.
+template <typename Value, uint8_t Count>
+class ChannelArray {
+  template <typename>
+  struct OfPointer {};
+  template <typename Any>
+  struct OfPointer<Any *> {
+    using Type = Any *;
+  };
+
+ public:
+  /// Takes an array.
+  template <size_t Size>
+  ChannelArray(Value (&array)[Size]) : _first(array) {
+    static_assert(Size >= Count || Count != 16, "The array is too small: CH1..CH16 are uint16_t channels[16]");
+    static_assert(Size >= Count || Count != 18,
+                  "The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels[18]");
+    static_assert(Size >= Count || Count != 24, "The array is too small: CH1..CH24 are uint16_t channels[24]");
+  }
+
+  /// Takes a pointer, or an array with a size that only another file knows. nullptr does not compile.
+  template <typename Pointer>
+  ChannelArray(Pointer pointer, decltype(static_cast<Value *>(typename OfPointer<Pointer>::Type())) = nullptr)
+      : _first(pointer) {}
+
+  /// Returns the address of CH1, or nullptr if the pointer was nullptr.
+  operator Value *() const { return _first; }
+
+ private:
+  Value *_first;
+};
 
 /// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.

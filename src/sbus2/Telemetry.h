@@ -48,7 +48,7 @@ class Telemetry : public NoEvents {
 
  protected:
   /// Moves the data that slot `slot` brought between the two newest frames to `data`. Returns false if it brought none.
-  bool forget(uint8_t slot, SlotData &data);
+  bool takeEcho(uint8_t slot, SlotData &data);
 
   /// Like taken(), without wholeSlots(): some 500 bytes less on a Cortex-M0+.
   void takeWhole(const uint8_t *frame);
@@ -60,12 +60,12 @@ class Telemetry : public NoEvents {
 
   uint8_t misses(int slot) const { return _seen[slot] & (Time - 1); }
   void put(uint8_t slot, const SlotData &data);
-  uint8_t pass(uint8_t first);
+  uint8_t countRound(uint8_t first);
   bool findAll(uint8_t &found, SlotData *data, uint8_t &expected);
   uint8_t findSome(uint8_t newest, SlotData *data, uint8_t expected) const;
   void keep(uint8_t found, const SlotData *data);
   void next(uint8_t newest);
-  void passRounds(uint8_t frames);
+  void countRounds(uint8_t frames);
 
   SlotData _data[SlotCount];
   uint8_t _seen[SlotCount];  // rounds since the slot came; above MissesMax: no data. And Time for each time it repeated
