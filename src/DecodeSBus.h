@@ -9,11 +9,9 @@
 #include "SBusPort.h"
 #include "port/Clock.h"
 #include "port/Listener.h"
-#include "port/Polling.h"
 #include "sbus/Barrier.h"
 #include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
-#include "sbus/FrameValue.h"
 
 namespace sbus {
 

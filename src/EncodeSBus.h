@@ -5,7 +5,7 @@
 #include <Arduino.h>
 
 #include "SBusPort.h"
-#include "sbus/FrameValue.h"
+#include "sbus/Frame.h"
 
 /// Sends to one serial port. A sketch needs two calls:
 ///
@@ -29,11 +29,14 @@ class EncodeSBusOf {
   EncodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
 
   /// Opens the port like DecodeSBus::begin(), and sends nothing.
-  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig) {
+    _sent = false;
+    _port.open(baud, config);
+  }
 
   /// Closes a hardware serial port. Call it only after begin(). The known cores first send the bytes that they hold,
   /// which takes up to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
-  void end();
+  void end() { _port.close(); }
 
   /// Sets the frame period, 0..65535 us. Default: 9000 us. A frame takes 3000 us (1500 us at 200000 baud), or 4320 us
   /// with 24 channels. Receivers need a gap after it, so set at least 4000 us (2000 us), or 6000 us for 24 channels.
@@ -49,7 +52,32 @@ class EncodeSBusOf {
   /// it has, gets the frame once it has the most room seen so far, and the core waits for up to 3 ms (Uno R4, mbed).
   /// The period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that
   /// frame.
-  bool write(sbus::ChannelArray<const uint16_t, Format::Channels> channels, bool failsafe, bool lostFrame);
+  bool write(sbus::ChannelArray<const uint16_t, Format::Channels> channels, bool failsafe, bool lostFrame) {
+    const uint32_t now = micros();
+    const uint32_t late = now - _last - _period;  // us; wraps if it is early
+    if ((_sent && now - _last < _period) || channels == nullptr) {
+      return false;
+    }
+    // Some ports never have room for 25 bytes, and some report none: then the largest room seen is enough.
+    const int room = _port.room();
+    if (room > _room) {
+      _room = static_cast<uint8_t>(room < Format::Size ? room : Format::Size);
+    } else if (room < _room) {
+      return false;
+    }
+    uint8_t frame[Format::Size];
+    Format::pack(frame, channels, failsafe, lostFrame);
+    if (!_port.write(frame, Format::Size)) {
+      return false;
+    }
+    // If this frame is a little late, the next one is due as if it had been on time; otherwise a period from now. So no
+    // gap is shorter than half of what the period gives: receivers need it.
+    constexpr uint32_t FrameTime = uint32_t{Format::Size} * sbus::CharacterTime;
+    const uint32_t tolerable = _period > FrameTime ? (_period - FrameTime) / 2 : 0;
+    _last = _sent && late < tolerable ? now - late : now;
+    _sent = true;
+    return true;
+  }
 
   /// Sends `frame` likewise: an SBusFrame, or an SBusFrame24 with EncodeSBus24. Until DecodeSBus::read() has returned
   /// true, its channels are 0, below every make's low: send nothing then, because S.Bus servos ignore the flags.

@@ -49,7 +49,7 @@ void SBus2Sensor::parseSBusFrame() {
   if (_isTimed) {
     return;  // due() does all that
   }
-  checkClock(_gap.isLong());
+  checkClock(_clockCheck.mayHaveStopped());
   receive(false);
   _isLate = false;
   _port.enter();
@@ -79,14 +79,14 @@ void SBus2Sensor::answerWithin(int32_t wait) {
   if (until > 0) {
     sbus::SlotTimer::wait(static_cast<uint32_t>(until));
   }
-  const sbus::SlotTimer::Alone alone;
-  answer(alone.start(until > 0 ? _finder.events().due() : now));
+  const sbus::SlotTimer::CriticalSection section;
+  answer(section.start(until > 0 ? _finder.events().due() : now));
 }
 
 __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) {
   sbus::Answers &answers = _finder.events();
-  const bool wasFresh = _isFresh;  // the callback before: two that are equally late would look consistent
-  _isFresh = fromCallback && sbus::SlotTimer::isFresh();
+  const bool cameAtOnceBefore = _cameAtOnce;  // the callback before: two that are equally late would look consistent
+  _cameAtOnce = fromCallback && sbus::SlotTimer::cameAtOnce();
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
   } else if (answers.found() > 0) {
@@ -96,7 +96,7 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) 
     return;
   }
   const bool isCalled = fromCallback && _isTimed;  // so no poll comes between two calls
-  const bool isKnown = answers.found() > 0 && !_isLate && (wasFresh || !isCalled);
+  const bool isKnown = answers.found() > 0 && !_isLate && (cameAtOnceBefore || !isCalled);
   const sbus::ReceiveNotice notice = isKnown ? _notice : sbus::ReceiveNotice::Unknown;
   const uint32_t before = _finder.pollBefore();
   const sbus::FrameEnd end = isCalled ? sbus::frameEndOfCallback(notice, answers.found(), before, answers.by())
@@ -172,7 +172,7 @@ void SBus2Sensor::tick() {
   if (!answers.isPlanned() || untilDue() > ReadingTime) {
     do {
       if (sbus::SlotTimer::isLocked()) {
-        sbus::SlotTimer::at(0);
+        sbus::SlotTimer::callIn(0);
         return;
       }
       receive(false);
@@ -182,33 +182,33 @@ void SBus2Sensor::tick() {
   }
   int32_t until = answers.isPlanned() ? untilDue() : INT32_MAX;
   if (until > LookAhead) {
-    _waiting = NoLook;
+    _sampled = NotSampled;
     until -= LookAhead;
-  } else if (_waiting == NoLook && until > LatestLook) {
-    _waiting = static_cast<int16_t>(sbus::SlotTimer::waiting(_port));
+  } else if (_sampled == NotSampled && until > LatestLook) {
+    _sampled = static_cast<int16_t>(sbus::SlotTimer::waiting(_port));
   }
   const bool isSooner = poll == 0 || until < static_cast<int32_t>(poll);
-  sbus::SlotTimer::at(!isSooner ? poll : until > 0 ? static_cast<uint32_t>(until) : 0);
+  sbus::SlotTimer::callIn(!isSooner ? poll : until > 0 ? static_cast<uint32_t>(until) : 0);
 }
 
 void SBus2Sensor::armTimer() {
   if (_isTimed && _finder.events().isPlanned()) {
     const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - TimerLead);
-    sbus::SlotTimer::at(until > 0 ? static_cast<uint32_t>(until) : 0);
+    sbus::SlotTimer::callIn(until > 0 ? static_cast<uint32_t>(until) : 0);
   }
 }
 
 // Returns true if nothing else sends: no frame that comes early, and no sensor in the wrong slot. Their characters
 // follow each other without a gap.
-bool SBus2Sensor::isQuiet(uint32_t now) {
+bool SBus2Sensor::isLineIdle(uint32_t now) {
   constexpr uint32_t Silence = sbus::CharacterTime + 10;  // us
-  return _isTimed ? sbus::SlotTimer::isQuiet(_port, _waiting) : _port.available() <= 0 && now - _heardBy > Silence;
+  return _isTimed ? sbus::SlotTimer::isLineIdle(_port, _sampled) : _port.available() <= 0 && now - _heardBy > Silence;
 }
 
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
-  const bool mayStart = !_finder.events().isPlanned() || isQuiet(now);
-  _waiting = NoLook;
+  const bool mayStart = !_finder.events().isPlanned() || isLineIdle(now);
+  _sampled = NotSampled;
   if (!mayStart) {
     _finder.events().skip();
     return;

@@ -134,13 +134,13 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
   bool writeSensor(uint8_t slot, const Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
     const bool fits = sensor.encode(data);
-    const sbus::SlotTimer::Apart apart;
+    const sbus::SlotTimer::OtherCoreLock lock;
     return _finder.events().write(slot, Sensor::Slots, data) && fits;
   }
 
   /// Stops answering in `count` slots from slot `slot` on. The radio then shows that the sensor is gone.
   void stopSensor(uint8_t slot, uint8_t count) {
-    const sbus::SlotTimer::Apart apart;
+    const sbus::SlotTimer::OtherCoreLock lock;
     _finder.events().stop(slot, count);
   }
 
@@ -164,7 +164,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
     return sbus::SlotTimer::start(static_cast<Port &>(stream), due, sensor);
   }
 
-  static constexpr int16_t NoLook = -1;
+  static constexpr int16_t NotSampled = -1;
 
   void stop();
   void start(unsigned long baud);
@@ -178,17 +178,17 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
   void answerWithin(int32_t wait);
   void tick();
   int32_t untilDue() const;
-  bool isQuiet(uint32_t now);
+  bool isLineIdle(uint32_t now);
 
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
   bool _isTimed = false;  // a timer calls due()
-  bool _isFresh = false;  // the port's last call came at once
+  bool _cameAtOnce = false;  // the port's last call came at once
   bool _isLate = false;   // the next poll comes so late that its time says nothing
-  sbus::SlotTimer::Gap _gap;
+  sbus::SlotTimer::ClockCheck _clockCheck;
   sbus::FrameRhythm _rhythm;
   uint32_t _heardBy = 0;      // us: no character that was read has come later
-  int16_t _waiting = NoLook;  // characters that waited shortly before the slot that is due
+  int16_t _sampled = NotSampled;  // characters that waited shortly before the slot that is due
   uint32_t _timedFrame = 0;   // number of the last frame with a known end
   const sbus::ReceiveNotice _notice;
 };

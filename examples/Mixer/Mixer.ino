@@ -44,7 +44,8 @@ void loop() {
   out[0] = sbus::fromNormalised(elevons[0], sbus::FrSky);
   out[1] = sbus::fromNormalised(elevons[1], sbus::FrSky);
   if (dSBus.linkState() == sbus::LinkState::Stale) {
-    out[2] = sbus::FrSky.low;  // link lost: closes the throttle for receivers of this line that ignore the flags
+    failsafe = lostFrame = true;  // it may have become stale since decodeSBusFrame()
+    out[2] = sbus::FrSky.low;     // link lost: closes the throttle for receivers of this line that ignore the flags
   }
   eSBus.write(out, failsafe, lostFrame);
 

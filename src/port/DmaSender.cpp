@@ -144,7 +144,7 @@ bool DmaSender::send(const HardwareSerial *port, const uint8_t *characters, size
   return true;
 }
 
-bool DmaSender::isFresh(const HardwareSerial *port) {
+bool DmaSender::cameAtOnce(const HardwareSerial *port) {
   const stm32l0_uart_params_t *const found = settings(port);
   return found != nullptr && found->rx_dma != STM32L0_DMA_CHANNEL_NONE &&
          stm32l0_dma_count(found->rx_dma) % HalfRing == 0;

@@ -28,7 +28,7 @@ class DmaSender {
   // Sends up to Room characters. Returns false, and sends nothing, if room() is 0.
   static bool send(const HardwareSerial *port, const uint8_t *characters, size_t size);
   // Returns true if no character has come in since the port last called because half of its ring was full.
-  static bool isFresh(const HardwareSerial *port);
+  static bool cameAtOnce(const HardwareSerial *port);
   // Returns true while a character comes in.
   static bool hears(const HardwareSerial *port);
   // Waits until the last character has gone out. Null if the sketch does not send: the linker takes this class from the

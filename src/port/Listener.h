@@ -1,5 +1,5 @@
 /// @file
-/// The port's receive callback, with a guard that keeps it from interrupting a poll in progress.
+/// Who polls: loop(), or the port's receive callback, with a guard that keeps it from interrupting a poll in progress.
 #pragma once
 
 #include <Arduino.h>
@@ -166,6 +166,23 @@ struct ListeningPort : Port, Listener {
   // Remembers `port` and its pins.
   template <typename Class>
   ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), Listener(port) {}
+};
+
+// loop() polls, or the port calls back. PolledByTimer does by a timer instead (Ticker.h), and has the same
+// members.
+struct PolledByLoop {
+  // Keeps other contexts from polling, while it exists.
+  struct Lock {
+    explicit Lock(const PolledByLoop &) {}
+  };
+
+  // Fails to compile if a port of this class cannot be polled in this way.
+  template <typename Port>
+  static void check() {}
+
+  template <typename Decoder>
+  static void startPolling(Decoder &) {}
+  static void stopPolling() {}
 };
 
 }  // namespace sbus

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "../sbus/Frame.h"
-#include "Format.h"
+#include "Core.h"
 
 namespace sbus {
 
@@ -90,7 +90,7 @@ auto noticeOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->setInvert
 // For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
 // CONFIG_UART_ISR_IN_IRAM: it waits while flash is written, for milliseconds, and for other interrupts, and available()
-// shows nothing meanwhile. onReceive() is called later still, by a task. So SlotTimerEsp32.h looks at the FIFO itself
+// shows nothing meanwhile. onReceive() is called later still, by a task. So SlotTimer looks at the FIFO itself
 // (FifoWatch.h). Core 3: esp-idf 01b912a, components/driver/uart/uart.c:32, arduino-esp32 8edd529,
 // HardwareSerial.cpp:19; core 2: esp-idf 002cd29, components/driver/uart.c:40.
 template <typename Port>

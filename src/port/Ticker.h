@@ -1,5 +1,5 @@
 /// @file
-/// Polls decoders each millisecond, whatever loop() does: one file for each core that can do that.
+/// Polls decoders each millisecond, whatever loop() does, on the cores that can do that.
 #pragma once
 
 #include <Arduino.h>
@@ -8,55 +8,11 @@
 #include "../sbus/Barrier.h"
 #include "Port.h"
 
-namespace sbus {
-
-// The defaults of each core's Ticker.
-class AnyTicker {
- public:
-  // Exists while the list of decoders changes.
-  struct Change {
-    Change() {}
-  };
-
-  // Returns true if tickAll() may call the methods of such a port.
-  static constexpr bool canPoll(const HardwareSerial *) { return true; }
-  static constexpr bool canPoll(const void *) { return false; }
-
-  // Returns true if this port can be read now.
-  static bool canRead(Port &) { return true; }
-};
-
-}  // namespace sbus
-
-#if defined(SBUS_AVR)
-#if defined(TIMER0_COMPB_vect) && defined(TIMSK0)
+#if (defined(SBUS_AVR) && defined(TIMER0_COMPB_vect) && defined(TIMSK0)) || defined(SBUS_RP2040) || \
+    defined(SBUS_ESP32) || defined(SBUS_TEENSY) || defined(SBUS_SAMD)
 #define SBUS_TICKER
-#include "TickerAvr.h"
-#endif
-#elif defined(SBUS_RP2040)
-#define SBUS_TICKER
-#include "TickerRp2040.h"
-#elif defined(SBUS_ESP32)
-#define SBUS_TICKER
-#include "TickerEsp32.h"
-#elif defined(SBUS_TEENSY) || defined(SBUS_SAMD)
-#define SBUS_TICKER
-#define SBUS_PLAIN_TICKER
-#endif
-
-#if defined(SBUS_TICKER)
 
 namespace sbus {
-
-#if defined(SBUS_PLAIN_TICKER)
-// A Teensy: an IntervalTimer, at the lowest priority. A SAMD: the core's tick of a millisecond, SysTick, asks for
-// PendSV, which polls: no timer is taken.
-class Ticker : public AnyTicker {
- public:
-  static bool start();
-  static void stop();
-};
-#endif
 
 // A decoder that is polled each millisecond while loop() does other things.
 class PolledByTimer {
@@ -73,20 +29,14 @@ class PolledByTimer {
   // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a
   // sketch that calls methods all the time would leave the port full.
 #if defined(SBUS_ESP32)
+  // The task that polls is on another core than loop(): loop() waits for it. The task, which others also need, never
+  // blocks on loop().
   class Lock {
    public:
-    explicit Lock(const PolledByTimer &) {}
-    ~Lock() {
-      if (Ticker::wasDue) {
-        Ticker::wasDue = false;
-        tickAll();
-      }
-    }
+    explicit Lock(const PolledByTimer &);
+    ~Lock();
     Lock(const Lock &) = delete;
     Lock &operator=(const Lock &) = delete;
-
-   private:
-    const Ticker::Change _lock;
   };
 #else
   class Lock {
@@ -117,7 +67,7 @@ class PolledByTimer {
  protected:
   template <typename Class>
   static void check() {
-    static_assert(Ticker::canPoll(static_cast<Class *>(nullptr)),
+    static_assert(canPoll(static_cast<Class *>(nullptr)),
                   "An interrupt cannot read this port. Use DecodeSBus: extras/docs/interrupts.md");
   }
 
@@ -132,16 +82,31 @@ class PolledByTimer {
   void stopPolling();
 
  private:
+#if defined(SBUS_RP2040)
+  static constexpr bool canPoll(const SerialUART *) { return true; }
+#else
+  static constexpr bool canPoll(const HardwareSerial *) { return true; }
+#endif
+  static constexpr bool canPoll(const void *) { return false; }
+
   // Returns false if the port could not be read: tickAll() is to be called again soon.
   template <typename Decoder>
   static bool poll(PolledByTimer &self) {
     Decoder &decoder = static_cast<Decoder &>(self);
-    if (!Ticker::canRead(decoder._port)) {
+#if defined(SBUS_RP2040)
+    // If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): the line
+    // would seem to be silent.
+    if (decoder._port.available() == 0 && decoder._port.room() == 0) {
       return false;
     }
+#endif
     decoder.pollAll(false);
     return true;
   }
+
+  // The core's timer, which calls tickAll(). Returns false if none is free.
+  static bool startTimer();
+  static void stopTimer();
 
   static PolledByTimer *first;
 

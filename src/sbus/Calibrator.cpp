@@ -4,6 +4,19 @@ namespace sbus {
 
 namespace {
 
+// In the order of CalibrationError.
+const char Errors[] SBUS_FLASH =
+    "\0"
+    " was not seen: switch the radio on\0"
+    " hardly moved: move it to both ends\0"
+    " went further than while it moved: move it to both ends\0"
+    " did not stand still: let go of it\0"
+    " rests neither near the middle nor at an end: centre it\0"
+    " is where it rested: push it up or right\0"
+    " moved one way only: move it to both ends\0"
+    " has not rested: let go of it\0"
+    " was not held: hold it up or right until told\0";
+
 // A channel that rests within 1/16 of its travel from an end rests at that end; at least 1/4 of its travel from both
 // ends it is centred, since trims move it that far. A push moves it by more than 1/4 of its travel.
 constexpr int16_t EndPart = 16;
@@ -30,29 +43,7 @@ constexpr bool isInMiddle(uint16_t value) {
 }  // namespace
 
 Text text(CalibrationError error) {
-  switch (error) {
-    case CalibrationError::None:
-      return SBUS_TEXT("");
-    case CalibrationError::NeverSeen:
-      return SBUS_TEXT(" was not seen: switch the radio on");
-    case CalibrationError::HardlyMoved:
-      return SBUS_TEXT(" hardly moved: move it to both ends");
-    case CalibrationError::CentreOutside:
-      return SBUS_TEXT(" went further than while it moved: move it to both ends");
-    case CalibrationError::NotStill:
-      return SBUS_TEXT(" did not stand still: let go of it");
-    case CalibrationError::NotCentred:
-      return SBUS_TEXT(" rests neither near the middle nor at an end: centre it");
-    case CalibrationError::NotPushed:
-      return SBUS_TEXT(" is where it rested: push it up or right");
-    case CalibrationError::MovedOneWay:
-      return SBUS_TEXT(" moved one way only: move it to both ends");
-    case CalibrationError::NotRested:
-      return SBUS_TEXT(" has not rested: let go of it");
-    case CalibrationError::NotHeld:
-      return SBUS_TEXT(" was not held: hold it up or right until told");
-  }
-  return SBUS_TEXT("");
+  return textOf(Errors, static_cast<uint8_t>(error));
 }
 
 void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {

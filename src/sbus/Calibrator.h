@@ -14,7 +14,6 @@
 #include <stdint.h>
 
 #include "Calibration.h"
-#include "ChannelArray.h"
 #include "Text.h"
 
 namespace sbus {

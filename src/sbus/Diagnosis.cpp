@@ -6,6 +6,55 @@ namespace sbus {
 
 namespace {
 
+// In the order of Finding: what it is, and what to do.
+const char Words[] SBUS_FLASH =
+    "No signal: not a byte with any setting.\0"
+    "Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?\0"
+    "Not S.Bus: the receiver sends i-BUS, FlySky's protocol.\0"
+    "Set the receiver's output to S.BUS on the radio: RX setup, output mode.\0"
+    "Not S.Bus: the receiver sends CRSF, the protocol of ExpressLRS, mLRS and Crossfire.\0"
+    "Set the receiver's serial protocol to SBUS, with its web page or the radio's Lua script.\0"
+    "Not S.Bus: the receiver sends F.Port, FrSky's protocol.\0"
+    "Choose S.Bus in the receiver's options, or give it FrSky's firmware for S.Bus.\0"
+    "Not S.Bus: the receiver sends SUMD, Graupner's protocol.\0"
+    "Set the receiver's serial output to S.Bus, if it has one, or use another receiver.\0"
+    "Not S.Bus: the receiver sends Spektrum's satellite protocol.\0"
+    "Use a receiver with an S.Bus output.\0"
+    "No parity: the sender has 8N1 or 8N2; S.Bus has 8E2.\0"
+    "Open the sender's port with even parity and two stop bits: SERIAL_8E2.\0"
+    "Wrong idle level: between frames the line has the level of a start bit.\0"
+    "Mend the sender: between frames S.Bus rests at the level of a stop bit, 0 V.\0"
+    "No frames: bytes come, but few frames or none.\0"
+    "Connect GND. Is it S.Bus? Is an inverter missing, or one too many?\0"
+    "24 channels: frames come, but of 24 channels, not of 16.\0"
+    "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.\0"
+    "Wrong polarity: frames come only with the other polarity.\0"
+    "Open the port with the other polarity, or add or remove an inverter.\0"
+    "Wrong baud rate: frames come only with the other baud rate.\0"
+    "Open the port with the setting that has frames: Fast S.Bus has 200000 baud.\0"
+    "Wrong polarity and baud rate: frames come only with the others.\0"
+    "Open the port with the setting that has frames: Fast S.Bus has 200000 baud.\0"
+    "Polled too seldom: the port's buffer overflows.\0"
+    "Poll the port at least every 5 ms, at 200000 baud every 2.5 ms.\0"
+    "Interrupts off: the port lost bytes meanwhile.\0"
+    "Write flash or EEPROM, and update long LED strips, only while frames may be missed.\0"
+    "Noise: frames are damaged.\0"
+    "Connect the grounds, check the supply, shorten the wire.\0"
+    "No pulses: CH1 to CH4 are 0 without a flag. The receiver has lost the radio.\0"
+    "Use DecodeSBusNoPulses. Set the receiver's failsafe to Hold or Custom, not to No Pulses.\0"
+    "Failsafe: the receiver works, but has lost the link.\0"
+    "Switch the radio on, or bind them.\0"
+    "No radio: the receiver works, but hears nothing.\0"
+    "Switch the radio on, or bind them.\0"
+    "Lossy: the receiver works, but misses radio frames.\0"
+    "Check distance and aerials.\0"
+    "Long period: the link is stale between frames, or once one is missing.\0"
+    "Call setTimeout() with three periods, or set the receiver to a shorter period.\0"
+    "All well, and other bytes come between the frames.\0"
+    "No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame.\0"
+    "All well.\0"
+    "Nothing to do.\0";
+
 constexpr uint32_t ImpairedSize = FrameSize - 1;  // bytes: mostly one character is missing
 constexpr uint32_t ImpairedPart = 100;            // more than 1/100 of the frames, and one more, impaired: noise
 constexpr uint32_t LossyPart = 10;                // more than 1/10 lost: lossy
@@ -40,105 +89,11 @@ uint32_t framesOfEitherSize(const Counters &counters) {
 }  // namespace
 
 Text text(Finding finding) {
-  switch (finding) {
-    case Finding::NoSignal:
-      return SBUS_TEXT("No signal: not a byte with any setting.");
-    case Finding::IBus:
-      return SBUS_TEXT("Not S.Bus: the receiver sends i-BUS, FlySky's protocol.");
-    case Finding::Crsf:
-      return SBUS_TEXT("Not S.Bus: the receiver sends CRSF, the protocol of ExpressLRS, mLRS and Crossfire.");
-    case Finding::FPort:
-      return SBUS_TEXT("Not S.Bus: the receiver sends F.Port, FrSky's protocol.");
-    case Finding::Sumd:
-      return SBUS_TEXT("Not S.Bus: the receiver sends SUMD, Graupner's protocol.");
-    case Finding::Spektrum:
-      return SBUS_TEXT("Not S.Bus: the receiver sends Spektrum's satellite protocol.");
-    case Finding::NoParity:
-      return SBUS_TEXT("No parity: the sender has 8N1 or 8N2; S.Bus has 8E2.");
-    case Finding::IdleLevel:
-      return SBUS_TEXT("Wrong idle level: between frames the line has the level of a start bit.");
-    case Finding::NoFrames:
-      return SBUS_TEXT("No frames: bytes come, but few frames or none.");
-    case Finding::Channels24:
-      return SBUS_TEXT("24 channels: frames come, but of 24 channels, not of 16.");
-    case Finding::WrongPolarity:
-      return SBUS_TEXT("Wrong polarity: frames come only with the other polarity.");
-    case Finding::WrongBaud:
-      return SBUS_TEXT("Wrong baud rate: frames come only with the other baud rate.");
-    case Finding::WrongPolarityAndBaud:
-      return SBUS_TEXT("Wrong polarity and baud rate: frames come only with the others.");
-    case Finding::PolledTooSeldom:
-      return SBUS_TEXT("Polled too seldom: the port's buffer overflows.");
-    case Finding::InterruptsOff:
-      return SBUS_TEXT("Interrupts off: the port lost bytes meanwhile.");
-    case Finding::Noise:
-      return SBUS_TEXT("Noise: frames are damaged.");
-    case Finding::NoPulses:
-      return SBUS_TEXT("No pulses: CH1 to CH4 are 0 without a flag. The receiver has lost the radio.");
-    case Finding::Failsafe:
-      return SBUS_TEXT("Failsafe: the receiver works, but has lost the link.");
-    case Finding::NoRadio:
-      return SBUS_TEXT("No radio: the receiver works, but hears nothing.");
-    case Finding::Lossy:
-      return SBUS_TEXT("Lossy: the receiver works, but misses radio frames.");
-    case Finding::LongPeriod:
-      return SBUS_TEXT("Long period: the link is stale between frames, or once one is missing.");
-    case Finding::AllWellAndMore:
-      return SBUS_TEXT("All well, and other bytes come between the frames.");
-    case Finding::AllWell:
-      return SBUS_TEXT("All well.");
-  }
-  return SBUS_TEXT("");
+  return textOf(Words, 2 * static_cast<uint8_t>(finding));
 }
 
 Text remedy(Finding finding) {
-  switch (finding) {
-    case Finding::NoSignal:
-      return SBUS_TEXT("Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?");
-    case Finding::IBus:
-      return SBUS_TEXT("Set the receiver's output to S.BUS on the radio: RX setup, output mode.");
-    case Finding::Crsf:
-      return SBUS_TEXT("Set the receiver's serial protocol to SBUS, with its web page or the radio's Lua script.");
-    case Finding::FPort:
-      return SBUS_TEXT("Choose S.Bus in the receiver's options, or give it FrSky's firmware for S.Bus.");
-    case Finding::Sumd:
-      return SBUS_TEXT("Set the receiver's serial output to S.Bus, if it has one, or use another receiver.");
-    case Finding::Spektrum:
-      return SBUS_TEXT("Use a receiver with an S.Bus output.");
-    case Finding::NoParity:
-      return SBUS_TEXT("Open the sender's port with even parity and two stop bits: SERIAL_8E2.");
-    case Finding::IdleLevel:
-      return SBUS_TEXT("Mend the sender: between frames S.Bus rests at the level of a stop bit, 0 V.");
-    case Finding::NoFrames:
-      return SBUS_TEXT("Connect GND. Is it S.Bus? Is an inverter missing, or one too many?");
-    case Finding::Channels24:
-      return SBUS_TEXT("Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.");
-    case Finding::WrongPolarity:
-      return SBUS_TEXT("Open the port with the other polarity, or add or remove an inverter.");
-    case Finding::WrongBaud:
-    case Finding::WrongPolarityAndBaud:
-      return SBUS_TEXT("Open the port with the setting that has frames: Fast S.Bus has 200000 baud.");
-    case Finding::PolledTooSeldom:
-      return SBUS_TEXT("Poll the port at least every 5 ms, at 200000 baud every 2.5 ms.");
-    case Finding::InterruptsOff:
-      return SBUS_TEXT("Write flash or EEPROM, and update long LED strips, only while frames may be missed.");
-    case Finding::Noise:
-      return SBUS_TEXT("Connect the grounds, check the supply, shorten the wire.");
-    case Finding::NoPulses:
-      return SBUS_TEXT("Use DecodeSBusNoPulses. Set the receiver's failsafe to Hold or Custom, not to No Pulses.");
-    case Finding::Failsafe:
-    case Finding::NoRadio:
-      return SBUS_TEXT("Switch the radio on, or bind them.");
-    case Finding::Lossy:
-      return SBUS_TEXT("Check distance and aerials.");
-    case Finding::LongPeriod:
-      return SBUS_TEXT("Call setTimeout() with three periods, or set the receiver to a shorter period.");
-    case Finding::AllWellAndMore:
-      return SBUS_TEXT("No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame.");
-    case Finding::AllWell:
-      return SBUS_TEXT("Nothing to do.");
-  }
-  return SBUS_TEXT("");
+  return textOf(Words, 2 * static_cast<uint8_t>(finding) + 1);
 }
 
 uint32_t impairedFrames(const Counters &counters) {

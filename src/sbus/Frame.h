@@ -8,9 +8,9 @@
 /// All functions may be called from any context.
 #pragma once
 
+#include <limits.h>
+#include <stddef.h>
 #include <stdint.h>
-
-#include "ChannelArray.h"
 
 /// The core: decodes frames, finds them in a stream of bytes, judges the link, scales and calibrates channels. It does
 /// not use Arduino.
@@ -116,6 +116,39 @@ constexpr bool failsafe(const uint8_t *frame) {
 /// variant for UnknownVariant; otherwise `size`.
 int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 
+/// The parameter of a function that reads or writes `Count` channels: an array, which does not compile if it is too
+/// small, or a pointer to as many values. `Value` is const uint16_t, or uint16_t if the function writes.
+template <typename Value, uint8_t Count>
+class ChannelArray {
+  template <typename>
+  struct OfPointer {};
+  template <typename Any>
+  struct OfPointer<Any *> {
+    using Type = Any *;
+  };
+
+ public:
+  /// Takes an array.
+  template <size_t Size>
+  ChannelArray(Value (&array)[Size]) : _first(array) {
+    static_assert(Size >= Count || Count != 16, "The array is too small: CH1..CH16 are uint16_t channels[16]");
+    static_assert(Size >= Count || Count != 18,
+                  "The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels[18]");
+    static_assert(Size >= Count || Count != 24, "The array is too small: CH1..CH24 are uint16_t channels[24]");
+  }
+
+  /// Takes a pointer, or an array with a size that only another file knows. nullptr does not compile.
+  template <typename Pointer>
+  ChannelArray(Pointer pointer, decltype(static_cast<Value *>(typename OfPointer<Pointer>::Type())) = nullptr)
+      : _first(pointer) {}
+
+  /// Returns the address of CH1, or nullptr if the pointer was nullptr.
+  operator Value *() const { return _first; }
+
+ private:
+  Value *_first;
+};
+
 /// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.
 void unpack(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
@@ -212,4 +245,23 @@ constexpr bool isHeaderByte(uint8_t byte) {
   return byte == HeaderByte || (Format::HasExtra && byte == ExtraHeader);
 }
 
+/// A frame as a value, which DecodeSBus::read() writes and EncodeSBus::write() sends: `Count` channels and the flags.
+/// Until a frame has come, both flags are true.
+template <uint8_t Count>
+struct FrameValue {
+  uint16_t channels[Count] = {};  ///< CH1 is channels[0]; 0..2047
+  bool lostFrame = true;          ///< this radio frame did not arrive, and the channels repeat old values
+  bool failsafe = true;           ///< the link is lost: no frames come, or the receiver is in failsafe
+  unsigned long age = ULONG_MAX;  ///< ms, when read() was called last; ULONG_MAX before the first frame
+};
+
 }  // namespace sbus
+
+/// CH1..CH16, two switches and the flags, for DecodeSBus and EncodeSBus.
+struct SBusFrame : sbus::FrameValue<sbus::ChannelCount> {
+  bool ch17() const { return channels[16] != 0; }  ///< returns the switch CH17
+  bool ch18() const { return channels[17] != 0; }  ///< returns the switch CH18
+};
+
+/// CH1..CH24 and the flags, for DecodeSBus24 and EncodeSBus24.
+using SBusFrame24 = sbus::FrameValue<sbus::ChannelCount24>;

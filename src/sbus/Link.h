@@ -31,7 +31,11 @@ class Link {
   static constexpr uint16_t DefaultLossLimit = 100;  ///< frames: 0.6 to 1.5 s
 
   /// Forgets all frames: the state is NeverSeen. Keeps the settings.
-  void reset();
+  void reset() {
+    _state = LinkState::NeverSeen;
+    _losses = 0;
+    _aged = 0;
+  }
 
   /// Sets how many ms after the newest frame the link is stale, 1..65535. Default: DefaultTimeout. 0 disables this.
   void setTimeout(uint16_t ms) { _timeout = ms; }
@@ -41,7 +45,21 @@ class Link {
   void setLossLimit(uint16_t frames) { _lossLimit = frames; }
 
   /// Takes the flags (Frame.h) of a frame that has come.
-  void frame(uint8_t flags);
+  void frame(uint8_t flags) {
+    _aged = 0;
+    if ((flags & (FlagLostFrame | FlagFailsafe)) == 0) {
+      _losses = 0;
+      _state = LinkState::Ok;
+      return;
+    }
+    if ((flags & FlagLostFrame) == 0) {
+      _losses = 0;
+    } else if (_losses < UINT16_MAX) {
+      _losses++;
+    }
+    const bool tooMany = _lossLimit != 0 && _losses >= _lossLimit;
+    _state = tooMany || (flags & FlagFailsafe) != 0 ? LinkState::Failsafe : LinkState::Lossy;
+  }
 
   /// Returns true if a frame has come since reset().
   bool seen() const { return _state != LinkState::NeverSeen; }

@@ -49,13 +49,13 @@ void Answers::begin() {
 }
 
 // plan() may interrupt this: it takes either the old data or the new.
-Answers::Own &Answers::change() {
+Answers::Own &Answers::editBack() {
   Own &back = _own[_front ^ 1];
   back = _own[_front];
   return back;
 }
 
-void Answers::changed() {
+void Answers::swap() {
   barrier();
   _front = _front ^ 1;
 }
@@ -64,17 +64,17 @@ bool Answers::write(uint8_t first, uint8_t count, const SlotData *data) {
   if (first == 0 || count == 0 || first % SlotsOfGroup + count > SlotsOfGroup || first >= SlotCount) {
     return false;
   }
-  Own &own = change();
+  Own &own = editBack();
   memcpy(own.data + first, data, count * sizeof *data);
   own.slots |= bits(first, count);
-  changed();
+  swap();
   return true;
 }
 
 void Answers::stop(uint8_t first, uint8_t count) {
-  Own &own = change();
+  Own &own = editBack();
   own.slots &= first < SlotCount ? ~bits(first, count) : ~uint32_t{0};
-  changed();
+  swap();
 }
 
 // Skips what is still planned from the frame before, since it is far too late, and what was never planned.
@@ -111,7 +111,7 @@ bool Answers::isEchoWrong(bool isWrong) {
   for (uint8_t i = 0; i < SlotsOfGroup; i++) {
     SlotData data;
     const uint8_t bit = static_cast<uint8_t>(1 << i);
-    if ((_out & bit) != 0 && forget(static_cast<uint8_t>(_group + i), data)) {
+    if ((_out & bit) != 0 && takeEcho(static_cast<uint8_t>(_group + i), data)) {
       back = static_cast<uint8_t>(back | bit);
       isWrong = isWrong || data.data0 != _planned[i].data0 || data.data1 != _planned[i].data1;
     }

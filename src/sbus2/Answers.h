@@ -101,8 +101,8 @@ class Answers : public Telemetry {
     SlotData data[SlotCount];
   };
 
-  Own &change();
-  void changed();
+  Own &editBack();
+  void swap();
 
   Own _own[2] = {};
   volatile uint8_t _front = 0;  // plan() reads this one of the two; write() changes the other

@@ -80,7 +80,7 @@ bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data, Trust &trust)
   return true;
 }
 
-bool Telemetry::forget(uint8_t slot, SlotData &data) {
+bool Telemetry::takeEcho(uint8_t slot, SlotData &data) {
   if (misses(slot) != 0) {
     return false;
   }
@@ -109,7 +109,7 @@ void Telemetry::put(uint8_t slot, const SlotData &data) {
 }
 
 // Counts a round of a group. Returns which of its slots come on this line.
-uint8_t Telemetry::pass(uint8_t first) {
+uint8_t Telemetry::countRound(uint8_t first) {
   uint8_t expected = 0;
   for (uint8_t i = 0; i < SlotsOfGroup; i++) {
     if (misses(first + i) <= MissesMax) {
@@ -129,7 +129,7 @@ bool Telemetry::findAll(uint8_t &found, SlotData *data, uint8_t &expected) {
   if (!announcesSlots(_end)) {
     return true;
   }
-  expected = pass(firstSlotOf(_end));
+  expected = countRound(firstSlotOf(_end));
   Slot slots[SlotsOfGroup];
   const int8_t count = _count > GroupSizeMax ? int8_t{-1} : readSlots(_end, _characters, _count, slots, _breaks);
   for (int8_t i = 0; i < count; i++) {
@@ -172,7 +172,7 @@ void Telemetry::keep(uint8_t found, const SlotData *data) {
 
 // End bytes tell how many frames are missing, but four more look alike: the time tells them. It may be negative, if a
 // blocked loop() has hidden when the frame before came.
-void Telemetry::passRounds(uint8_t frames) {
+void Telemetry::countRounds(uint8_t frames) {
   constexpr uint32_t Negative = UINT32_MAX - 1000000;
   uint8_t rounds = 0;
   for (uint32_t us = (frames + 2) * FrameUs; _interval >= us && _interval < Negative && rounds < Old; us += RoundUs) {
@@ -180,7 +180,7 @@ void Telemetry::passRounds(uint8_t frames) {
   }
   for (; rounds > 0; rounds--) {
     for (uint8_t first = 0; first < SlotCount; first = static_cast<uint8_t>(first + SlotsOfGroup)) {
-      pass(first);
+      countRound(first);
     }
   }
 }
@@ -190,11 +190,11 @@ void Telemetry::next(uint8_t newest) {
   uint8_t frames = 1;  // from the one before to the newest
   if (endsVariant(_end, SlotsVariant) && endsVariant(newest, SlotsVariant)) {
     for (uint8_t end = nextEnd(_end); end != newest; end = nextEnd(end)) {
-      pass(firstSlotOf(end));
+      countRound(firstSlotOf(end));
       frames++;
     }
   }
-  passRounds(frames);
+  countRounds(frames);
   _changes++;
   _end = newest;
   _count = 0;

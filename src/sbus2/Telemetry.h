@@ -20,7 +20,7 @@ struct Trust {
 /// (wholeSlots()).
 ///
 /// The context that reads the port calls the events; they may interrupt read().
-class Telemetry {
+class Telemetry : public NoEvents {
  public:
   /// How often in a row a slot may be missing before its data are too old: a slot comes every 60 ms.
   static constexpr uint8_t MissesMax = 16;
@@ -43,17 +43,12 @@ class Telemetry {
   void begin();                                         ///< see NoEvents
   void interval(uint32_t us) { _interval = us; }        ///< see NoEvents
   void taken(const uint8_t *frame);                     ///< see NoEvents
-  void extra(const uint8_t *, uint32_t) {}              ///< see NoEvents; Frame16 has none
   void lost() { _count = Lost; }                        ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
-  void rejected(int, Rejection) {}                      ///< see NoEvents
-  static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
-  static constexpr bool wantsTimes() { return false; }  ///< see NoEvents
-  void asked(int, uint32_t) {}                          ///< see NoEvents
 
  protected:
   /// Moves the data that slot `slot` brought between the two newest frames to `data`. Returns false if it brought none.
-  bool forget(uint8_t slot, SlotData &data);
+  bool takeEcho(uint8_t slot, SlotData &data);
 
   /// Like taken(), without wholeSlots(): some 500 bytes less on a Cortex-M0+.
   void takeWhole(const uint8_t *frame);
@@ -65,12 +60,12 @@ class Telemetry {
 
   uint8_t misses(int slot) const { return _seen[slot] & (Time - 1); }
   void put(uint8_t slot, const SlotData &data);
-  uint8_t pass(uint8_t first);
+  uint8_t countRound(uint8_t first);
   bool findAll(uint8_t &found, SlotData *data, uint8_t &expected);
   uint8_t findSome(uint8_t newest, SlotData *data, uint8_t expected) const;
   void keep(uint8_t found, const SlotData *data);
   void next(uint8_t newest);
-  void passRounds(uint8_t frames);
+  void countRounds(uint8_t frames);
 
   SlotData _data[SlotCount];
   uint8_t _seen[SlotCount];  // rounds since the slot came; above MissesMax: no data. And Time for each time it repeated

@@ -239,7 +239,7 @@ TEST_CASE("inverts() returns whether the port can invert") {
 }
 
 #if defined(ESP32)
-TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimerEsp32 finds that out") {
+TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimer finds that out") {
   CHECK(sbus::noticeOf(&SBUS_PORT, &SBUS_PORT, sbus::Rank<2>()) == sbus::ReceiveNotice::Unknown);
 }
 #endif

@@ -225,9 +225,9 @@ TEST_CASE("a call is fresh while the receiver's ring stands at its half or its e
   receiver.size = 32;
   for (uint16_t filled = 0; filled < 32; filled++) {
     receiver.left = static_cast<uint16_t>(32 - filled);
-    CHECK(sbus::DmaSender::isFresh(&Serial1) == (filled % 16 == 0));
+    CHECK(sbus::DmaSender::cameAtOnce(&Serial1) == (filled % 16 == 0));
   }
-  CHECK_FALSE(sbus::DmaSender::isFresh(&Serial3));
+  CHECK_FALSE(sbus::DmaSender::cameAtOnce(&Serial3));
 }
 
 TEST_CASE("a port that is none of the board's is left to its own write()") {

@@ -93,7 +93,6 @@ xiao-esp32_page := XIAO ESP32
 TASKS := esp32-2.0 esp32-3.0 esp32-3.3
 # Those that poll each millisecond, but for an AVR's, which boards/avr runs.
 TICKERS := pico $(TASKS) samd samd51 teensy32 teensy4
-ticker = $(if $(filter pico,$1),Rp2040,$(if $(filter $(TASKS),$1),Esp32,$(if $(filter samd%,$1),Samd,Teensy)))
 ticks = $(if $(filter pico,$1),PicoAlarms,$(if $(filter $(TASKS),$1),Esp32Task,Ticks))
 # Those with a USB joystick, and what their cores define where the board or the user's choice has it.
 JOYSTICKS := avr esp32-3.0 pico samd teensy32 teensy4
@@ -148,11 +147,11 @@ define core_rules
 $1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(OUT)/names/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(OUT)/names/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
-  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
+  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
-  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/port/SlotTimer.o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 	$(CXX) $$^ -o $$@
@@ -162,10 +161,10 @@ $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o \
-  $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+  $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o \
-  $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+  $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
@@ -227,7 +226,7 @@ endef
 $(foreach core,$(CORES) $(BOARDS),$(eval $(call core_rules,$(core))))
 
 # The stand-in has no timers.
-$(OUT)/stm32l0/SlotTimer.ok: $(ROOT)/src/port/SlotTimerStm32L0.cpp $(HERE)/build.mk
+$(OUT)/stm32l0/SlotTimer.ok: $(ROOT)/src/port/SlotTimer.cpp $(HERE)/build.mk
 	@mkdir -p $(@D) && rm -f $@
 	$(CXX) $(stm32l0_board) $(DEPENDENCIES) -DTIM7 -include Arduino.h -include stm32l0_dma.h -fsyntax-only $<
 	@touch $@
