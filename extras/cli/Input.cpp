@@ -54,7 +54,7 @@ void Input::begin(Clock::time_point start) {
 
 // Returns how long ago a recorded or simulated character was due.
 uint64_t Input::dueForUs(uint64_t endUs) const {
-  return static_cast<uint64_t>(static_cast<double>(_nowUs - std::min(_nowUs, endUs)) / _speed);
+  return _nowUs - std::min(_nowUs, endUs);
 }
 
 // Hands over the characters received so far. Returns false at the end.
@@ -83,7 +83,7 @@ bool Input::step(const Taker &taker) {
 bool Input::advance() {
   uint64_t nextUs = _nowUs + TickUs;
   if (_pace == Pace::RealTime) {
-    nextUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs()) * _speed);
+    nextUs = _startUs + sinceUs();
   } else if (!_line->canAdvanceTo(nextUs)) {
     return false;
   }

@@ -28,8 +28,6 @@ class Input {
   // Sets the time at which run() begins; earlier characters are left out. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
-  // Sets the speed as a multiple of real time. Default: 1.
-  void setSpeed(double speed) { _speed = speed; }
 
   // Calls `put` with each character as it arrives, and `tick` every millisecond; on a port, whenever bytes arrive and
   // 20 times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws
@@ -95,7 +93,6 @@ class Input {
   line::LineSettings _settings;
   Pace _pace;
   double _seconds;
-  double _speed = 1;
   uint64_t _startUs = 0;
   bool _ended = false;
   bool _hurries = false;

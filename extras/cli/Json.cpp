@@ -52,21 +52,12 @@ Json &Json::numbers(const char *name, const std::vector<double> &values) {
   return add(name, "[" + list + "]");
 }
 
-Json &Json::range(const ChannelForm &form) {
-  const sbus::Range &range = form.range;
-  return form.unit == line::Unit::Percent ? numbers("range", {1.0 * range.low, 1.0 * range.centre, 1.0 * range.high}) : *this;
+Json &Json::channels(const line::Values &values, size_t first, size_t count) {
+  const uint16_t *const raw = values.raw.data() + first - 1;
+  return number("first", first).numbers("channels", {raw, raw + count});
 }
 
-Json &Json::channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form) {
-  std::vector<double> all;
-  for (size_t i = first - 1; i < first - 1 + count; i++) {
-    all.push_back(std::round(10 * line::valueOf(values.raw[i], form.unit, form.range)) / 10);
-  }
-  return number("first", first).numbers(line::fieldOf(form.unit), all);
-}
-
-Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,
-               const ChannelForm &form) {
+Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   const bool is24 = stretch.kind == line::Stretch::Kind::Frame24;
   Json json("frame");
@@ -75,7 +66,7 @@ Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const 
     json.number("read_us", stretch.characters.back().sinceUs);
   }
   json.late(stretch);
-  json.channels(values, extra ? 17 : 1, is24 ? 24 : 16, form);
+  json.channels(values, extra ? 17 : 1, is24 ? 24 : 16);
   if (!is24 && !extra) {
     json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
   }

@@ -6,18 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "line/file/Units.h"
 #include "line/Segments.h"
 #include "line/Statistics.h"
 #include "sbus/Counters.h"
 
 namespace tool {
-
-// The unit of the channels, and the raw values at 0 % and +-100 %.
-struct ChannelForm {
-  line::Unit unit = line::Unit::Raw;
-  sbus::Range range = sbus::FrSky;
-};
 
 class Json {
  public:
@@ -36,10 +29,8 @@ class Json {
   Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if unknown
   Json &late(const line::Stretch &stretch);                         // late_us, if a port may have held it back
   Json &numbers(const char *name, const std::vector<double> &values);
-  // Adds the range if the channels are in percent.
-  Json &range(const ChannelForm &form);
-  // Adds the values of `count` channels from CH`first` on.
-  Json &channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form);
+  // Adds the raw values of `count` channels from CH`first` on.
+  Json &channels(const line::Values &values, size_t first, size_t count);
 
   std::string line() const { return "{" + _text + "}\n"; }
 
@@ -51,8 +42,7 @@ class Json {
 
 // Return the lines for a frame, for bytes outside a frame, and for a telemetry slot. `endUs`: the end of the last
 // character; without it the time is null.
-Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,
-               const ChannelForm &form);
+Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values);
 Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs);
 Json slotJson(const sbus::Slot &slot, std::optional<double> endUs);
 

@@ -148,6 +148,12 @@ export default async function () {
     });
   }
 
+  await check('a .xz is rejected with what to do', async (page) => {
+    await choose(page, 'flight.vcd.xz', Buffer.from('fd377a585a000004e6d6b446', 'hex'));
+    await reads(page, '#notice-text', /flight\.vcd\.xz: is packed in a way that is not read here: unpack it, or pack it as \.gz or \.zip/);
+    await reads(page, '#state', 'Fine');
+  });
+
   await check('a .gz that is cut off is rejected', async (page) => {
     await choose(page, 'cut.vcd.gz', gzipSync(forms.vcd([[0, 0], [10, 1]])).subarray(0, 40));
     await reads(page, '#notice-text', /^This cannot be played: cut\.vcd\.gz: cannot be read: /);

@@ -42,6 +42,22 @@ until_true() {
   done
 }
 
+# on_terminal COLUMNS COMMAND...: what it prints on a terminal of so many columns
+on_terminal() {
+  python3 - "$@" <<'END'
+import fcntl, os, pty, struct, subprocess, sys, termios
+master, slave = pty.openpty()
+fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, int(sys.argv[1]), 0, 0))
+program = subprocess.Popen(sys.argv[2:], stdout=slave)
+os.close(slave)
+try:
+    while part := os.read(master, 4096):
+        sys.stdout.buffer.write(part.replace(b"\r", b""))
+except OSError:  # the end
+    pass
+END
+}
+
 # peak ARGUMENTS...: prints the kilobytes that sbus needed. A sanitizer would keep what is freed.
 peak() {
   python3 -c 'import os, resource, subprocess, sys

@@ -88,7 +88,6 @@ for way in pipe input file; do
     verdict $? "$subcommand of bytes without times, by $way, prints no times and says so"
   done <<'END'
 hex|^ +-  0F
-hex --delta|^ +-  0F
 hex --json|"frame","time_us":null
 csv --every-frame --columns time,age,ch1|^-,-,[0-9]+$
 summary|^frames       -, times are not known$

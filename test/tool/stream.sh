@@ -24,12 +24,19 @@ for words in 16 24 32 sbus2 16,noise=30 24,noise=30 32,noise=30 sbus2,noise=30; 
   done
 done
 for unit in us percent; do
-  "$SBUS" hex "$work/24.txt" --json --unit $unit | tee "$work/unit" | same 24 "JSON lines in $unit" hex
-  grep -q "\"$unit\":\[" "$work/unit" && ! grep -q '"channels"' "$work/unit"
-  verdict $? "hex --json --unit $unit has no raw values"
-done
-for range in futaba 1811,992,172; do
-  "$SBUS" hex "$work/24.txt" --json --unit percent --range $range | tee "$work/unit" | same 24 "JSON lines in percent of $range" hex
+  for range in 172,992,1811 352,1024,1696 1811,992,172; do
+    "$SBUS" hex "$work/24.txt" --json | python3 -c '
+import json, sys
+unit, low, centre, high = sys.argv[1], *map(int, sys.argv[2].split(","))
+def percent(raw):
+    return 100 * (raw - centre) / (high - centre if (raw > centre) == (high > centre) else centre - low)
+for line in map(json.loads, sys.stdin):
+    if "channels" in line:
+        line[unit] = [round(raw * 5 / 8 + 880 if unit == "us" else percent(raw), 1) for raw in line.pop("channels")]
+    if line["type"] == "line" and unit == "percent":
+        line["range"] = [low, centre, high]
+    print(json.dumps(line))' $unit $range | same 24 "JSON lines in $unit of $range" hex
+  done
 done
 "$SBUS" hex "$work/16.txt" --json | python3 -c 'import json, sys
 for line in sys.stdin: print(json.dumps(json.loads(line), indent=2))' | same 16 'JSON in several rows' hex

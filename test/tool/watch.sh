@@ -157,13 +157,13 @@ done
 rm -rf "$work/dir"
 mkdir "$work/dir"
 touch "$work/dir/sbus-000007-2020-01-01T00-00-00Z.txt" "$work/dir/sbus-notes.txt" "$work/dir/other.txt" "$work/dir/sbus-000001.txt.gz"
-watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' -o "$work/dir" --before 0 --after 0 --keep 3 >"$work/out"
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' -o "$work/dir" --before 0 --after 0 --most 0.00240 >"$work/out"
 [ "$(ls "$work/dir" | paste -sd ' ')" = "other.txt sbus-000001.txt.gz sbus-000009.txt sbus-000010.txt sbus-000011.txt sbus-notes.txt" ]
-verdict $? "--keep 3 keeps the newest three, and other files: $(ls "$work/dir" | paste -sd ' ')"
+verdict $? "--most 0.00240 keeps the newest, and other files: $(ls -s "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
 mkdir "$work/dir"
 touch "$work/dir/sbus-999998.txt"
-watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210' -o "$work/dir" --before 0 --after 0 --keep 2 >"$work/out" &&
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210' -o "$work/dir" --before 0 --after 0 --most 0.00146 >"$work/out" &&
   [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-1000000.txt sbus-1000001.txt" ]
 verdict $? "numbers go on after 999999: $(ls "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
@@ -197,7 +197,7 @@ done
 
 # ---- Memory
 
-watched() { peak watch "$1" --when 'ch1<300' -o "$work/dir" --keep 5; }
+watched() { peak watch "$1" --when 'ch1<300' -o "$work/dir" --most 0.2; }
 "$SBUS" record sim -o "$work/short.txt" --simulated-time --seconds 20 2>"$work/err"
 python3 - "$work/short.txt" "$work/long.txt" <<'END'
 import sys

@@ -30,7 +30,6 @@ Bridge::Bridge(BridgeOptions &options, Receiver &first, Receiver *second, const 
       _receivers{&first, second},
       _to(to),
       _output(to, first.input->settings()),
-      _choice(static_cast<uint64_t>(options.backS * 1e6)),
       _isText(to == "-"),
       _hasTimes(first.source.hasTimes() && (second == nullptr || second->source.hasTimes())) {
   for (const size_t i : {size_t{0}, size_t{1}}) {

@@ -22,7 +22,6 @@ struct BridgeOptions {
   explicit BridgeOptions(Subcommand &subcommand) : rules(subcommand), keepsEnd(false) {}
 
   FrameRules rules;
-  double backS = 1;
   bool keepsEnd = true;  // the end byte; otherwise 00
 };
 

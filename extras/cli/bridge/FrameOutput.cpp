@@ -158,7 +158,7 @@ void FrameOutput::print(const BridgedFrame &frame) {
     _printedUs = std::max(*frame.us, _printedUs + 1);
     us = static_cast<double>(_printedUs);
   }
-  tool::write(frameJson(stretch, us, frame.values, ChannelForm()).line());
+  tool::write(frameJson(stretch, us, frame.values).line());
   flush();
   _sent++;
 }

@@ -11,9 +11,6 @@ namespace tool {
 
 class TwoReceivers {
  public:
-  // The first has to be good for `backUs` without interruption before it is chosen again.
-  explicit TwoReceivers(uint64_t backUs) : _backUs(backUs) {}
-
   // Takes a frame of receiver 0 or 1.
   void put(size_t receiver, uint64_t nowUs, const line::Values &values) {
     if (values.failsafe) {
@@ -36,7 +33,7 @@ class TwoReceivers {
     _firstSinceUs = !isFirst ? 0 : _firstSinceUs == 0 ? nowUs : _firstSinceUs;
     if (_chosen == 0) {
       _chosen = !isFirst && isSecond && nowUs >= GoodForUs ? 1 : 0;  // at the start, wait for the first
-    } else if (isFirst && (!isSecond || nowUs >= _firstSinceUs + _backUs)) {
+    } else if (isFirst && (!isSecond || nowUs >= _firstSinceUs + BackUs)) {
       _chosen = 0;
     }
     return _chosen;
@@ -44,8 +41,8 @@ class TwoReceivers {
 
  private:
   static constexpr uint64_t GoodForUs = 100000;
+  static constexpr uint64_t BackUs = 1000000;  // the first has been good for so long before it is chosen again
 
-  const uint64_t _backUs;
   size_t _chosen = 0;
   std::array<uint64_t, 2> _goodUs{};  // time of the newest frame without a flag; 0: none, or failsafe since
   uint64_t _firstSinceUs = 0;         // the first has been good since then; 0: it is not

@@ -141,7 +141,7 @@ std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
   Json json("state");
   json.digits("time_us", shownUs).text("state", stateName(_observer.heldState(nowUs)));
   if (values.count > 0) {
-    json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count, ChannelForm());
+    json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count);
     if (!_observer.has24()) {
       json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
     }

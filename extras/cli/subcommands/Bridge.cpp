@@ -22,7 +22,6 @@ struct Options {
   RangeOption range;
   std::string to;
   std::string second;
-  Option back;
 };
 
 void run(Options &options) {
@@ -31,11 +30,6 @@ void run(Options &options) {
   options.bridge.rules.read(range);
   if (options.bridge.rules.hasTrainer() && options.second.empty()) {
     rejectCommandLine("--trainer: --second is the pupil's receiver; name it");
-  }
-  if (options.back.given() && (options.bridge.rules.hasTrainer() || options.second.empty())) {
-    rejectCommandLine(options.bridge.rules.hasTrainer()
-                          ? "--back: the teacher's receiver is always used; leave it out"
-                          : "--back: --second is the other receiver; name it");
   }
   std::optional<SourceOption> second;
   if (!options.second.empty()) {
@@ -63,10 +57,6 @@ void addBridge(CLI::App &app) {
   subcommand.option("--second", options->second, "a second receiver, used while the first has no link")
       .notEmpty()
       .type("SOURCE");
-  options->back =
-      subcommand.option("--back", options->bridge.backS, "how long the first must have its link before it is used again (1)")
-          .between(0, 60)
-          .type("S");
   subcommand.footer(
       "Only accepted frames are sent, each at once, with their flags; the end byte is 00, and telemetry is left out. "
       "No frame older than 0.1 s is sent: while no fresh ones come, bridge sends the newest values every 9 ms with the "

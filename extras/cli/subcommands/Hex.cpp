@@ -12,7 +12,6 @@
 #include "cli/Output.h"
 #include "cli/PendingSlots.h"
 #include "cli/SilenceNote.h"
-#include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Format.h"
@@ -32,14 +31,13 @@ struct Colours {
   const char *off = "";
 };
 
-Colours coloursOf(const std::string &when) {
+Colours colours() {
   const auto is = [](const char *name, const char *value) {
     const char *const set = std::getenv(name);
     return set != nullptr && std::strcmp(set, value) == 0;
   };
   const bool shown = isTerminal() && !is("TERM", "dumb") && (std::getenv("NO_COLOR") == nullptr || is("NO_COLOR", ""));
-  const bool wanted = when == "always" || (when == "auto" && shown);
-  return wanted ? Colours{"\x1b[2m", "\x1b[33m", "\x1b[31;7m", "\x1b[31m", "\x1b[0m"} : Colours{};
+  return shown ? Colours{"\x1b[2m", "\x1b[33m", "\x1b[31;7m", "\x1b[31m", "\x1b[0m"} : Colours{};
 }
 
 const char *kindText(line::Stretch::Kind kind) {
@@ -53,11 +51,8 @@ constexpr size_t Row = sbus::FrameSize;  // bytes
 constexpr size_t LeastWidth = 60;  // columns; a narrower terminal wraps the lines itself
 
 struct HexOptions {
-  std::string colour = "auto";
   bool values = false;
-  bool delta = false;
   bool json = false;
-  unsigned width = 0;  // 0: the terminal's
 };
 
 // Appends `text` to `rows`, wrapped at blanks to `width` columns.
@@ -79,14 +74,13 @@ class HexView {
         _options(options),
         _hasTimes(source.hasTimes()),
         _zeroUs(source.zeroUs()),
-        _colours(coloursOf(options.colour)) {}
+        _colours(colours()) {}
 
   void show(const line::Stretch &stretch) {
     const int64_t us = static_cast<int64_t>(stretch.endUs()) + _zeroUs;
-    const std::string time = _hasTimes ? line::format("%12.6f  ", static_cast<double>(us - _lastUs) / 1e6)
+    const std::string time = _hasTimes ? line::format("%12.6f  ", static_cast<double>(us) / 1e6)
                                        : line::format("%12s  ", "-");
-    _lastUs = _options.delta ? us : 0;
-    const size_t width = _options.width > 0 ? _options.width : line::terminalColumns();
+    const size_t width = line::terminalColumns();
     showRows(stretch, time, width == 0 ? Endless : std::max(width, LeastWidth));
   }
 
@@ -184,18 +178,16 @@ class HexView {
   const bool _hasTimes;
   const int64_t _zeroUs;
   Colours _colours;
-  int64_t _lastUs = 0;  // times count from here
 };
 
-void writeJson(const line::Stretch &stretch, const line::Values &values, const SourceOption &source,
-               const ChannelForm &form) {
+void writeJson(const line::Stretch &stretch, const line::Values &values, const SourceOption &source) {
   const auto known = [&source](uint64_t us) { return source.shownUs(us); };
   for (const line::TimedSlot &slot : stretch.slots) {
     write(slotJson(slot, known(slot.endUs)).line());
   }
   if (stretch.slots.empty()) {
     const std::optional<double> endUs = known(stretch.endUs());
-    write((stretch.isFrame() ? frameJson(stretch, endUs, values, form) : noFrameJson(stretch, endUs)).line());
+    write((stretch.isFrame() ? frameJson(stretch, endUs, values) : noFrameJson(stretch, endUs)).line());
   }
 }
 
@@ -207,17 +199,17 @@ void writeJsonEnd(const line::Observer &observer) {
             .line());
 }
 
-void run(const SourceOption &source, const HexOptions &options, const ChannelForm &form) {
+void run(const SourceOption &source, const HexOptions &options) {
   const std::unique_ptr<Input> input = source.open();
   if (options.json) {
-    write(source.json().range(form).line());
+    write(source.json().line());
     flush();
   }
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   HexView view(observer, options, source);
   PendingSlots held(observer, [&](const line::Stretch &stretch) {
-    options.json ? writeJson(stretch, observer.newest(), source, form) : view.show(stretch);
+    options.json ? writeJson(stretch, observer.newest(), source) : view.show(stretch);
   });
   observer.listen([&held](const line::Stretch &stretch) { held.take(stretch); });
   SilenceNote silence(source.name(), "bytes", source.isFile());
@@ -243,33 +235,12 @@ void addHex(CLI::App &app) {
   const auto options = std::make_shared<HexOptions>();
   const Option values =
       subcommand.flag("--values", options->values, "print the channels' raw values beside each frame");
-  const Option delta =
-      subcommand.flag("--delta", options->delta, "print the time since the previous line, not since the beginning");
-  subcommand.flag("--json", options->json, "JSON lines: the frames, and the discarded bytes")
-      .excludes(values)
-      .excludes(delta);
-  subcommand.option("--width", options->width, "wrap lines at N columns (the terminal's; no breaks elsewhere)")
-      .between(LeastWidth, 1000)
-      .type("N");
-  subcommand.option("--color", options->colour, "auto: colours on a terminal (auto)")
-      .oneOf({"auto", "always", "never"})
-      .type("auto|always|never");
+  subcommand.flag("--json", options->json, "JSON lines: the frames, and the discarded bytes").excludes(values);
   subcommand.footer(
       "Each line has the time at which its last byte ended, in seconds, or - if unknown; the bytes, with ! after "
       "each with a wrong parity or stop bit; frame, frame24 (24 channels), extra (header 2F) or - for no frame; and "
       "the end byte or the reason.");
-  const auto unit = std::make_shared<std::string>("raw");
-  const Option unitOption = subcommand.option("--unit", *unit, "the unit of the channels in JSON lines (raw)")
-                                .oneOf({"raw", "us", "percent"})
-                                .type("raw|us|percent");
-  const auto range = std::make_shared<RangeOption>(subcommand);
-  subcommand.run([source, options, unit, unitOption, range] {
-    if (unitOption.given() && !options->json) {
-      rejectCommandLine("--unit: is for JSON lines; add --json, or leave it out");
-    }
-    run(*source, *options,
-        {*unit == "us" ? line::Unit::Us : *unit == "percent" ? line::Unit::Percent : line::Unit::Raw, range->range()});
-  });
+  subcommand.run([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -29,8 +29,6 @@ struct Options {
   RangeOption range;
   std::string to;       // a port; empty: a pseudo-terminal
   double periodMs = 9;  // the paper's receiver
-  double speed = 1;
-  Option speedOption;
 };
 
 // Collects back-to-back characters to send them in one piece: sent singly they would be separated by silences.
@@ -119,14 +117,10 @@ void run(Options &options) {
   }
   options.source.rejectEmpty();
   if (options.source.isLive() && options.source.hasFrames()) {
-    if (options.speedOption.given()) {
-      rejectCommandLine("--speed: is for a recording; a live line has its own");
-    }
     sendLive(options);
     return;
   }
   const std::unique_ptr<Input> input = options.source.open();
-  input->setSpeed(options.speed);
   sendAll(*input, options.to);
 }
 
@@ -140,8 +134,6 @@ void addSend(CLI::App &app) {
   subcommand.option("--period", options->periodMs, "the frame period of values and slow rows, in ms (9)")
       .between(1, 1000)
       .type("MS");
-  options->speedOption =
-      subcommand.option("--speed", options->speed, "playback speed (1)").between(0.001, 1000).type("N");
   subcommand.footer(
       "Of a live line only frames are sent, and none older than 0.1 s: failsafe frames take their place. "
       "Values: ch1 to ch16 are raw, 0 to 2047, microseconds (1500us), percent (-50%), on (the high end) or off; "

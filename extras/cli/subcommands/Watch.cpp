@@ -31,7 +31,6 @@ struct Options {
   double beforeS = 2;
   double afterS = 5;
   double longestS = 600;
-  unsigned keep = 100;
   double mostMb = 1000;
   bool json = false;
 };
@@ -80,7 +79,7 @@ void run(const Options &options) {
   const SourceOption &source = options.source;
   const line::Condition condition = conditionOf(options);
   const std::unique_ptr<Input> input = source.open();
-  const EventFiles files(options.folder, options.keep, static_cast<uint64_t>(options.mostMb * 1e6));
+  const EventFiles files(options.folder, static_cast<uint64_t>(options.mostMb * 1e6));
   if (options.json) {
     write(source.json().line());
     flush();
@@ -144,8 +143,7 @@ void addWatch(CLI::App &app) {
               "the length of a file, in seconds; a longer event goes on in the next one (600)")
       .between(1, 86400)
       .type("S");
-  subcommand.option("--keep", options->keep, "keep at most N files, and delete the oldest (100)").between(1, 99999).type("N");
-  subcommand.option("--most", options->mostMb, "keep at most MB megabytes (1000)").between(0.001, 1e6).type("MB");
+  subcommand.option("--most", options->mostMb, "keep at most MB megabytes, and delete the oldest (1000)").between(0.001, 1e6).type("MB");
   subcommand.flag("--json", options->json, "JSON lines: the events");
   subcommand.footer(
       "A condition compares (<, <=, >, >=, =, !=) ch1 to ch32 with 1500, 1500us or 50%, age with a time such as "

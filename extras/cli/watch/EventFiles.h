@@ -19,9 +19,8 @@ namespace tool {
 
 class EventFiles {
  public:
-  // Creates the folder if needed, and keeps at most `keep` files and `mostBytes` in it. Throws std::runtime_error.
-  EventFiles(std::string folder, unsigned keep, uint64_t mostBytes)
-      : _folder(std::move(folder)), _keep(keep), _mostBytes(mostBytes) {
+  // Creates the folder if needed, and keeps at most `mostBytes` in it. Throws std::runtime_error.
+  EventFiles(std::string folder, uint64_t mostBytes) : _folder(std::move(folder)), _mostBytes(mostBytes) {
     std::error_code error;
     std::filesystem::create_directory(_folder, error);
     if (error || !std::filesystem::is_directory(_folder)) {
@@ -44,7 +43,7 @@ class EventFiles {
       }
     }
     const unsigned long number = files.empty() ? 1 : files.rbegin()->first + 1;
-    while (!files.empty() && (files.size() >= _keep || bytes > _mostBytes)) {
+    while (!files.empty() && bytes > _mostBytes) {
       bytes -= std::min<uint64_t>(bytes, files.begin()->second.file_size(error));
       std::filesystem::remove(files.begin()->second.path(), error);
       files.erase(files.begin());
@@ -67,7 +66,6 @@ class EventFiles {
   }
 
   const std::string _folder;
-  const unsigned _keep;
   const uint64_t _mostBytes;
 };
 

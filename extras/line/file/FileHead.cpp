@@ -106,6 +106,7 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
 
 std::string exportOf(std::string_view begin, const std::string &name) {
   constexpr const char *Other = "is a picture, a document or a program: a recording, a capture or bytes are expected";
+  constexpr const char *Packed = "is packed in a way that is not read here: unpack it, or pack it as .gz or .zip";
   const bool isText = !begin.empty() && begin.substr(0, 2) != "PK" && !isRaw(begin);
   const struct {
     std::string_view begin, entry, end;
@@ -117,6 +118,11 @@ std::string exportOf(std::string_view begin, const std::string &name) {
       {"", "", ".logicdata", "is a capture of Saleae's Logic 1: export it as CSV or VCD"},
       {"", "", ".scana", "is a workspace of ScanaStudio: export it as CSV or VCD"},
       {"", "", ".psdata", "is a file of PicoScope: save it as CSV (File, Save As)"},
+      {"\xFD" "7zXZ", "", "", Packed},  // the page; the command unpacks it
+      {"BZh", "", "", Packed},
+      {"\x28\xB5\x2F\xFD", "", "", Packed},  // zstd
+      {"7z\xBC\xAF", "", "", Packed},
+      {"Rar!", "", "", Packed},
       {"\x89PNG", "", "", Other},
       {"\xC2\x89PNG", "", "", Other},
       {"\xFF\xD8\xFF", "", "", Other},
