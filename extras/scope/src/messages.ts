@@ -58,7 +58,7 @@ export enum Fault {
   Late, // the PC was late: what the line did is not known
 }
 
-// Where a fault begins and ends; faults in quick succession are one.
+// Where a fault begins and ends; damage in quick succession is one.
 export interface Span {
   fault: Fault;
   fromUs: number;
@@ -74,6 +74,7 @@ export interface FaultMap {
   us: number; // decoded up to here
   isComplete: boolean;
   bins: Uint8Array; // 1 << Fault; binCount of them are the whole recording
+  damaged: Float32Array; // of each bin, in us
   counts: number[]; // of spans, by Fault
 }
 
