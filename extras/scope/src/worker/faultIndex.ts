@@ -16,6 +16,7 @@ class Spans {
     return this.from.length;
   }
 
+  // Spans up to this far apart are one: 0 joins those that meet, -1 none.
   constructor(private readonly apartUs: number) {}
 
   // Adds a span, which begins later than all before; or goes on with the last one.
@@ -43,7 +44,7 @@ class Spans {
 export class FaultIndex {
   readonly bins = new Uint8Array(binCount);
   readonly damaged = new Float32Array(binCount); // us in each bin
-  private readonly spans = faults.map((fault) => new Spans(fault === Fault.Damage ? apartUs : 0));
+  private readonly spans = faults.map((fault) => new Spans(fault === Fault.Damage ? apartUs : fault >= Fault.NoFrames ? -1 : 0));
   private readonly on = faults.map(() => false); // at the newest frame or row
   private readonly perUs: number;
   private count = 0; // frames or rows
