@@ -1,6 +1,8 @@
 // A flight in bounded memory, and the dates of recordings.
 #include <doctest/doctest.h>
 
+#include <cstdio>
+#include <set>
 #include <string>
 
 #include "line/recording/Recording.h"
@@ -8,14 +10,15 @@
 #include "line/recording/WallTime.h"
 #include "line/report/Curves.h"
 #include "line/report/FlightLog.h"
+#include "line/report/SvgPlot.h"
 #include "line/simulation/SimulatedReceiver.h"
 #include "sbus/Frame.h"
 
 namespace {
 
 // Takes a frame that ends at `us`.
-void fly(line::FlightLog &flight, uint64_t us, bool failsafe, bool lostFrame) {
-  uint16_t channels[sbus::ChannelCount] = {992, 992, 172, 992};
+void fly(line::FlightLog &flight, uint64_t us, bool failsafe, bool lostFrame, uint16_t first = 992) {
+  uint16_t channels[sbus::ChannelCount] = {first, 992, 172, 992};
   uint8_t frame[sbus::FrameSize];
   sbus::pack(frame, channels, failsafe, lostFrame);
   for (size_t i = 0; i < sbus::FrameSize; i++) {
@@ -52,6 +55,33 @@ TEST_CASE("a line with more silences than room has curves all the same") {
     curves.put(i * 200000, channels, false);
   }
   CHECK(curves.buckets().size() <= 2048);
+}
+
+TEST_CASE("the report draws a flight's curve as the area between its ends in each pixel, a silence divides it") {
+  line::FlightLog flight(line::CharacterUs);
+  for (unsigned i = 0; i < 20000; i++) {
+    if (i < 9000 || i > 9100) {
+      fly(flight, 5000 + uint64_t{i} * 9000, false, false, i % 2 == 0 ? 172 : 1811);
+    }
+  }
+  flight.finish();
+  const std::string svg = line::curvesOf(flight);
+  const size_t from = svg.find(" d=\"", svg.find("curve c0")) + 4;
+  const std::string path = svg.substr(from, svg.find('"', from) - from);
+  std::set<double> heights;
+  unsigned points = 0, areas = 0;
+  for (size_t at = 0; at < path.size(); at++) {
+    double x = 0, y = 0;
+    if (std::sscanf(path.c_str() + at, "%*1[ML]%lf %lf", &x, &y) == 2) {
+      heights.insert(y);
+      points++;
+    }
+    areas += path[at] == 'Z';
+  }
+  CHECK(heights.size() == 2);  // 172 and 1811
+  CHECK(areas == 2);
+  CHECK(points <= 2 * 792);  // the plot's pixels
+  CHECK(points > 1000);
 }
 
 TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was lost") {

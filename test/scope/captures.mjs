@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { build, check, downloaded, playToEnd, reads, root, } from './support.mjs';
+import { build, check, downloaded, frame, playToEnd, reads, recorded, root } from './support.mjs';
 
 const bitUs = 10;
 
@@ -158,5 +158,21 @@ export default async function () {
     await choose(page, 'cut.vcd.gz', gzipSync(forms.vcd([[0, 0], [10, 1]])).subarray(0, 40));
     await reads(page, '#notice-text', /^This cannot be played: cut\.vcd\.gz: cannot be read: /);
     await reads(page, '#state', 'Fine');
+  });
+
+  await check('of a capture with two receivers either can be shown', async (page) => {
+    const texts = [1000, 300].map((ch1) => Array.from({ length: 300 }, (_, i) => recorded(10000 * (i + 1), frame([ch1 + (i % 2)]))).join(''));
+    const all = texts.flatMap((text, at) => edges(text, 0).map(([us, high]) => [us, `${high}${'AB'[at]}`])).sort(([a], [b]) => a - b);
+    await choose(page, 'two.vcd', `$timescale 1us $end\n$var wire 1 A first $end\n$var wire 1 B second $end\n$enddefinitions $end\n${all.map(([us, change]) => `#${us}\n${change}\n`).join('')}#3100000\n`);
+    await reads(page, '#title', /^Capture two\.vcd, signal /);
+    const names = () => page.$$eval('#wire-signal option', (options) => options.map(({ value }) => value));
+    assert.deepEqual((await names()).sort(), ['first', 'second']);
+    for (const [signal, value] of [['second', /^30[01]$/], ['first', /^100[01]$/]]) {
+      await page.selectOption('#wire-signal', signal);
+      await reads(page, '#title', new RegExp(`^Capture two\\.vcd, signal ${signal}`));
+      await reads(page, '#bars li:nth-child(1) .raw', value);
+      assert.equal(await page.inputValue('#wire-signal'), signal);
+      assert.equal((await names()).length, 2);
+    }
   });
 }

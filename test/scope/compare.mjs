@@ -175,6 +175,19 @@ export default async function () {
     assert.equal(await page.textContent('#title'), 'Recording a.txt');
   });
 
+  await check('two receivers that scale the sticks differently: the ends that differ are told, of the same scale nothing', async (page) => {
+    const line = (ends) => Array.from({ length: 2000 }, (_, i) => {
+      const [low, high] = ends;
+      return recorded(9000 * (i + 1), frame([low + Math.round(((high - low) * (1 + Math.sin(i / 40))) / 2), 992]));
+    }).join('');
+    const second = (ends) => page.setInputFiles('#second-file', { name: 'scaled.txt', mimeType: 'text/plain', buffer: Buffer.from(line(ends)) });
+    await play(page, 'scale.txt', line([172, 1811]));
+    await second([192, 1792]);
+    await reads(page, '#second-text', /CH1 goes from 172 to 1811 in A, from 192 to 1792 in B: their scales differ\./);
+    await second([172, 1811]);
+    await reads(page, '#second-text', /^B is 0\.00 ms later(?!.*scales differ).* 2000 frames alike/);
+  });
+
   for (const [where, set] of [['in a worker', inWorkers], ['in the page', (page, act, argument) => page.evaluate(act, argument)]]) {
     await check(`two adapters side by side, read ${where}: the delay of the second, who lost what, and its curves at the same moments`, async (page) => {
       await set(page, receivers, [many, lost]);

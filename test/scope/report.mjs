@@ -101,9 +101,11 @@ export default async function () {
         assert.ok(facts.includes(wanted), `${facts} lacks ${wanted}`);
       }
       const shown = await textsOf(page, '#report-lists h3');
+      const strip = await textsOf(page, '#fault-counts li');
       for (const [, name, times] of text.matchAll(/^(failsafe|lost frames|no frames|PC late) +(\d+ times?, [\d.]+ s in all)/gm)) {
         const title = `${name[0].toUpperCase()}${name.slice(1)}: ${times}`;
         assert.ok(shown.some((each) => each.startsWith(title)), `${shown} lacks ${title}`);
+        assert.ok(strip.includes(`${name}: ${parseInt(times, 10)} ×`), `${strip} lacks ${name}: ${times}`);
       }
     });
   }

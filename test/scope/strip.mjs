@@ -13,7 +13,7 @@ const flagged = (fromMs, toMs, flags) => {
   for (let ms = fromMs; ms < toMs; ms += 10) at(ms).bytes = frame([1000], { flags });
 };
 flagged(5000, 5050, 4);
-flagged(5500, 5510, 4); // less than a second later: the same fault
+flagged(5500, 5510, 4);
 flagged(10000, 10010, 4);
 flagged(20000, 22500, 12);
 for (let ms = 30010; ms < 31000; ms += 10) at(ms).gone = true;
@@ -24,7 +24,8 @@ const text = lines.filter(({ gone }) => !gone)
   .map(({ ms, bytes, bad }) => recorded(1000 * ms, bytes).replace(/\n$/, bad ? '!\n' : '\n')).join('');
 const short = 0.12; // ms: a byte less
 const expected = [
-  ['lost frames', 5000, 5510],
+  ['lost frames', 5000, 5050],
+  ['lost frames', 5500, 5510],
   ['lost frames', 10000, 10010],
   ['failsafe', 20000, 22500],
   ['no frames', 30000, 31000],
@@ -40,8 +41,14 @@ const decoded = (page) => until('it is not decoded', async () => (await page.get
 const positionMs = (page) => page.inputValue('#position').then(Number);
 
 // Returns the parts of the strip's width in which a fault is drawn: [from, to].
-const boxes = (page, name) => page.$eval(`#strip .${name}`, (shape) =>
-  [...shape.getAttribute('d').matchAll(/M(\S+) \S+h(\S+)v/g)].map(([, from, width]) => [Number(from) / 512, (Number(from) + Number(width)) / 512]));
+const boxes = (page, name) => page.$eval(`#strip .${name}`, (shape) => {
+  const all = [];
+  for (const [, from, width] of shape.getAttribute('d').matchAll(/M(\S+) \S+?h([\d.]+)v/g)) {
+    if (Number(from) / 512 !== all.at(-1)?.[1]) all.push([Number(from) / 512]);
+    all.at(-1)[1] = (Number(from) + Number(width)) / 512;
+  }
+  return all;
+});
 
 export default async function () {
   writeFileSync(file, text);
@@ -50,12 +57,12 @@ export default async function () {
     await play(page, file);
     await decoded(page);
     assert.deepEqual(await page.$$eval('#fault-counts li', (items) => items.filter(({ hidden }) => !hidden).map(({ textContent }) => textContent)),
-      ['whole recording: 7 faults', 'failsafe: 1 ×', 'lost frames: 3 ×', 'damaged bytes: 2 ×', 'no frames: 1 ×']);
+      ['whole recording: 8 faults', 'failsafe: 1 ×', 'lost frames: 4 ×', 'damaged bytes: 2 ×', 'no frames: 1 ×']);
     const all = 60003.88;
     for (const [name, what] of [['failsafe', 'failsafe'], ['silence', 'no frames'], ['damage', 'damaged bytes']]) {
       const wanted = expected.filter(([each]) => each === what);
       const drawn = await boxes(page, name);
-      assert.equal(drawn.length, wanted.length, name);
+      assert.equal(drawn.length, wanted.length, `${name}: ${JSON.stringify(drawn)}`);
       drawn.forEach(([from, to], i) => {
         assert.ok(from <= wanted[i][1] / all && from > wanted[i][1] / all - 1 / 512, `${name} from ${from}`);
         assert.ok(to >= wanted[i][2] / all && to < wanted[i][2] / all + 2 / 512, `${name} to ${to}`);
@@ -63,7 +70,8 @@ export default async function () {
     }
     // In failsafe frames are lost as well, and in a silence they are missing.
     await page.waitForSelector('#report:not([hidden])');
-    assert.deepEqual((await boxes(page, 'lost')).map(([from]) => Math.round((from * all) / 1000)), [5, 10, 20, 21, 22, 30, 50]);
+    const lost = await page.$eval('#strip .lost', (shape) => [...shape.getAttribute('d').matchAll(/M(\S+) /g)].map(([, bin]) => Number(bin) / 512));
+    assert.deepEqual(lost.map((from) => Math.round((from * all) / 1000)), [5, 10, 20, 21, 22, 30, 50]);
   });
 
   await check('N goes from fault to fault and pauses where each shows, P goes back', async (page) => {
@@ -88,7 +96,7 @@ export default async function () {
     }
     await page.keyboard.press('n');
     await reads(page, '#fault-text', 'There is no other fault in this direction.');
-    for (const i of [5, 4, 3, 2, 1, 0]) {
+    for (const i of [6, 5, 4, 3, 2, 1, 0]) {
       await page.keyboard.press('Shift+P');
       await reads(page, '#fault-text', told(expected[i], i));
     }
@@ -98,7 +106,7 @@ export default async function () {
   await check('from any place the next fault is the first after it, and the one before begins before it', async (page) => {
     await playPaused(page, file);
     await decoded(page);
-    for (const [ms, next, before] of [[7000, 1, 0], [21000, 3, 2], [30050, 4, 3], [49999, 6, 5]]) {
+    for (const [ms, next, before] of [[7000, 2, 1], [21000, 4, 3], [30050, 5, 4], [49999, 7, 6]]) {
       await seek(page, ms);
       await page.click('#fault-next');
       await reads(page, '#fault-text', told(expected[next], next));
@@ -107,6 +115,15 @@ export default async function () {
       await page.click('#fault-back');
       await reads(page, '#fault-text', told(expected[before], before));
     }
+  });
+
+  await check('the more of a time is damaged, the higher it stands on the strip', async (page) => {
+    const isBad = (i) => i === 1000 || (i >= 3000 && i < 3010) || (i >= 5000 && i < 5050);
+    await play(page, 'damage.txt', Array.from({ length: 6000 }, (_, i) => recorded(10000 * (i + 1), frame([1000])).replace(/\n$/, isBad(i) ? '!\n' : '\n')).join(''));
+    await decoded(page);
+    const heights = await page.$eval('#strip .damage', (shape) => [...shape.getAttribute('d').matchAll(/M(\d+) 0h1v([\d.]+)/g)].map(([, bin, height]) => [Number(bin), Number(height)]));
+    const highest = [10, 30, 50].map((second) => Math.max(...heights.filter(([bin]) => Math.abs((bin * 60) / 512 - second) < 1).map(([, height]) => height)));
+    assert.ok(highest[0] > 0.5 && highest[1] > 1.2 * highest[0] && highest[2] >= highest[1] && highest[2] <= 3, `${highest}`);
   });
 
   await check('a fault beyond the decoded part is found', async (page) => {
@@ -154,7 +171,7 @@ export default async function () {
     }
     await until('its text is not told', async () => (await page.getAttribute('#position', 'aria-valuetext')) === '1:00.0 of 1:00.0');
     await page.keyboard.press('p');
-    await reads(page, '#fault-text', told(expected[6], 6));
+    await reads(page, '#fault-text', told(expected[7], 7));
   });
 
   await check('a finger on the strip seeks', async (page) => {

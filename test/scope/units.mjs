@@ -161,7 +161,7 @@ function faulty(count, faults) {
   const spans = [];
   const span = (fault, fromUs, toUs, joins = false) => {
     const last = spans.findLast((each) => each.fault === fault);
-    if (last && (joins || fromUs - last.toUs <= 1e6)) last.toUs = toUs;
+    if (last && (joins || fromUs - last.toUs <= (fault === Fault.Damage ? 1e6 : -1))) last.toUs = toUs;
     else spans.push({ fault, fromUs, toUs });
   };
   let us = 0;

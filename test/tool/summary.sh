@@ -81,7 +81,7 @@ END
 [ "$(grep -c '<rect class="failsafe" x=' "$work/flight.html")" -eq 2 ] && grep -q '<title>1.000 s: 41.4 % lost' "$work/flight.html" &&
   grep -q '<title>2.000 s: 76.7 % lost' "$work/flight.html"
 verdict $? "the report's strip shows both seconds and their losses"
-[ "$(grep -c 'class="curve ' "$work/flight.html")" -eq 4 ] && [ "$(grep -o 'https*://[a-z0-9.]*' "$work/flight.html" | sort -u)" = http://www.w3.org ]
+[ "$(grep -c 'class="curve ' "$work/flight.html")" -eq 4 ] && ! grep -q 'https*://' "$work/flight.html"
 verdict $? "the report has four curves, and needs no other file"
 "$SBUS" record sim -o "$work/well.txt" --simulated-time --seconds 9 2>"$work/err" && sed '/ 0[4-7] 00$/d' "$work/well.txt" >"$work/gaps.txt"
 for line in 'gaps.txt|warning' 'well.txt|warning' 'clean.txt|good'; do

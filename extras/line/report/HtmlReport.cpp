@@ -19,10 +19,11 @@ constexpr size_t SpansMost = 10;  // of a kind: the page must fit on a sheet
 
 constexpr const char *Style =
     ":root{color-scheme:light dark;--page:#fff;--text:#24292f;--quiet:#57606a;--edge:#d8dee4;--good:#1a7f37;"
-    "--warning:#9a6700;--bad:#cf222e;--lost:#bf8700;--failsafe:#cf222e;--silent:#6e7781;--late:#8250df}"
-    "@media(prefers-color-scheme:dark){:root{--page:#0d1117;--text:#e6edf3;--quiet:#8b949e;--edge:#30363d;"
-    "--good:#3fb950;--warning:#d29922;--bad:#ff7b72;--lost:#e3b341;--failsafe:#ff7b72;--silent:#8b949e;--late:#bc8cff}}"
-    "@media print{:root{--page:#fff;--text:#000;--quiet:#444;--edge:#bbb}body{margin:0}}"
+    "--warning:#9a6700;--bad:#cf222e;--lost:#bf8700;--failsafe:#cf222e;--silent:#6e7781;--late:#8250df;"
+    "--c0:#0072b2;--c1:#c04d00;--c2:#007a5a;--c3:#a3447c}"  // Okabe and Ito's hues, darker on white, lighter on black
+    "@media screen and (prefers-color-scheme:dark){:root{--page:#0d1117;--text:#e6edf3;--quiet:#8b949e;--edge:#30363d;"
+    "--good:#3fb950;--warning:#d29922;--bad:#ff7b72;--lost:#e3b341;--failsafe:#ff7b72;--silent:#8b949e;--late:#bc8cff;"
+    "--c0:#56b4e9;--c1:#ff8f4d;--c2:#2fc79a;--c3:#e59ac8}}@media print{body{margin:0}}"
     "body{font:15px/1.45 system-ui,sans-serif;background:var(--page);color:var(--text);max-width:960px;margin:24px "
     "auto;"
     "padding:0 16px}h1{font-size:20px;margin:0}h2{font-size:15px;margin:20px 0 6px}"
@@ -32,10 +33,23 @@ constexpr const char *Style =
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums}th{text-align:left;font-weight:600}"
     "th,td{padding:2px 18px 2px 0;border-bottom:1px solid var(--edge)}td.n,th.n{text-align:right}"
     "svg{width:100%;height:auto}.strip rect{shape-rendering:crispEdges}.base{fill:var(--edge)}"
+    "text{font:12px system-ui,sans-serif;fill:var(--text)}.grid{stroke:var(--edge)}"
+    ".curve{stroke-width:1.2;stroke-linejoin:round;fill-opacity:.25}circle{fill:none}"
+    ".c0{fill:var(--c0);stroke:var(--c0)}.c1{fill:var(--c1);stroke:var(--c1)}.c2{fill:var(--c2);stroke:var(--c2)}"
+    ".c3{fill:var(--c3);stroke:var(--c3)}text.c0,text.c1,text.c2,text.c3{stroke:none;font-weight:600}"
     ".lost{fill:var(--lost)}.failsafe{fill:var(--failsafe)}.silent{fill:var(--silent)}.late{fill:var(--late)}"
     ".key i{print-color-adjust:exact;display:inline-block;width:12px;height:12px;margin:0 4px 0 14px;vertical-align:-1px}"
     "i.lost{background:var(--lost)}i.failsafe{background:var(--failsafe)}i.silent{background:var(--silent)}"
     "i.late{background:var(--late)}.columns{display:flex;flex-wrap:wrap;gap:0 48px}section{break-inside:avoid}";
+
+// Escapes the text for HTML.
+std::string escaped(const std::string &text) {
+  std::string safe;
+  for (const char c : text) {
+    safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return safe;
+}
 
 struct Listed {
   FlagSpan::Kind kind;
@@ -93,37 +107,6 @@ std::string strip(const FlightLog &flight) {
     text += std::string("<i class=\"") + each.colour + "\"></i>" + each.name;
   }
   return text + "</p>\n";
-}
-
-std::string curves(const FlightLog &flight, const ReportFacts &facts) {
-  Picture picture;
-  picture.title = "CH1 to CH4 of " + facts.name;
-  picture.xTitle = "s";
-  picture.yTitle = "raw";
-  picture.xBegin = static_cast<double>(flight.shownUs(flight.firstUs())) / 1e6;
-  picture.xEnd = static_cast<double>(flight.shownUs(flight.lastUs())) / 1e6;
-  picture.xEnd = picture.xEnd > picture.xBegin ? picture.xEnd : picture.xBegin + 1;
-  for (size_t i = 0; i < Curves::Channels; i++) {
-    Curve curve;
-    curve.name = "CH" + std::to_string(i + 1);
-    for (const Curves::Bucket &bucket : flight.curves().buckets()) {
-      const double x = static_cast<double>(flight.shownUs(bucket.us)) / 1e6;
-      curve.points.push_back({x, static_cast<double>(bucket.least[i]), bucket.joined});
-      if (bucket.most[i] != bucket.least[i]) {
-        curve.points.push_back({x, static_cast<double>(bucket.most[i]), true});
-      }
-    }
-    picture.curves.push_back(std::move(curve));
-  }
-  for (const Listed &each : AllListed) {
-    for (const FlagSpan &span : flight.spans(each.kind)) {
-      if (each.kind != FlagSpan::Kind::LostFrame) {  // the strip shows them
-        picture.spans.push_back(
-            {span.kind, static_cast<double>(flight.shownUs(span.fromUs)) / 1e6, static_cast<double>(flight.shownUs(span.toUs)) / 1e6});
-      }
-    }
-  }
-  return svg(picture);
 }
 
 std::string worst(const FlightLog &flight) {
@@ -201,7 +184,7 @@ std::string htmlReport(const FlightLog &flight, const ReportFacts &about) {
       "</h1>\n";
   text += facts(flight, about);
   text += std::string("<p class=\"verdict ") + classOf(verdict.severity) + "\">" + verdict.text + "</p>\n";
-  text += strip(flight) + curves(flight, about) + "<div class=\"columns\">\n" + worst(flight);
+  text += strip(flight) + curvesOf(flight) + "<div class=\"columns\">\n" + worst(flight);
   for (const Listed &each : AllListed) {
     text += spans(flight, each);
   }

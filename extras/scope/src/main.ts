@@ -147,15 +147,15 @@ function rejected(error: unknown): void {
   });
 }
 
-async function play(file: File | undefined): Promise<void> {
+async function play(file: File | undefined, signal?: string, before?: RecordingSource): Promise<void> {
   if (!file) {
     return;
   }
   notice?.hide();
   try {
-    await scope.choice.change(async (signal) => {
+    await scope.choice.change(async (abort) => {
       const read = (part: number): void => void (scope.reading = `reading ${file.name}: ${Math.floor(100 * part)} %`);
-      const make = await RecordingSource.read(core, file, signal, read);
+      const make = await RecordingSource.read(core, file, abort, read, signal, before);
       return () => {
         pressed('recording');
         return make();
@@ -186,6 +186,12 @@ function wire(): void {
     keep('baud', select('baud').value);
     if (scope.choice.current instanceof PortSource) {
       scope.choice.current.use(Number(select('baud').value));
+    }
+  });
+  select('wire-signal').addEventListener('change', () => {
+    const { current } = scope.choice;
+    if (current instanceof RecordingSource) {
+      void play(current.file, select('wire-signal').value, current);
     }
   });
   select('receiver').addEventListener('change', simulate);

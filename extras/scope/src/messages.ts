@@ -58,7 +58,7 @@ export enum Fault {
   Late, // the PC was late: what the line did is not known
 }
 
-// Where a fault begins and ends; faults in quick succession are one.
+// Where a fault begins and ends; damage in quick succession is one.
 export interface Span {
   fault: Fault;
   fromUs: number;
@@ -74,6 +74,7 @@ export interface FaultMap {
   us: number; // decoded up to here
   isComplete: boolean;
   bins: Uint8Array; // 1 << Fault; binCount of them are the whole recording
+  damaged: Float32Array; // of each bin, in us
   counts: number[]; // of spans, by Fault
 }
 
@@ -118,6 +119,7 @@ export interface Comparison {
   atZeroUs: number; // the delay at A's time 0
   laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
   evidence: string; // of the delay
+  ends: string; // that differ, if hardly any frames are alike; or ''
   areDelaysLate: boolean; // all of them are of frames that came while the PC was late
 }
 
@@ -145,7 +147,7 @@ export interface Live {
 }
 
 export type Request =
-  | { kind: 'open'; wasm: Uint8Array; file: File } // a recording
+  | { kind: 'open'; wasm: Uint8Array; file: File; signal?: string } // a recording; of a capture, by this signal
   | { kind: 'advance'; id: number; us: number } // all characters complete by then; of a port, all that have come
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
   | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
@@ -209,15 +211,15 @@ export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string; remedy?: string }
   | { kind: 'refused' } // the worker does not find the port, or the line beside it
-  // Of a file: what carries the line in a capture; what a user should know; its own time at time 0, not above 0; when time 0 was, in us since
+  // Of a file: what carries the line in a capture; its signals with S.Bus, that one first; what a user should know; its own time at time 0, not above 0; when time 0 was, in us since
   // 1970; the bookmarks of a plain text.
-  | { kind: 'opened'; lengthUs: number; carrier: string; note?: string; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture }
+  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture }
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
   | { kind: 'envelope'; envelope: Envelope } // once all is decoded, of a long recording
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
-  | { kind: 'compared'; id: number; comparison?: Comparison } // none: they have no frame in common
+  | { kind: 'compared'; id: number; comparison: Comparison }
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
   | { kind: 'recording'; us: number } // it has begun: its times count from then

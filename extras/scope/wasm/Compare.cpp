@@ -1,5 +1,6 @@
 // Compares two lines, A and B: who lost what, and the delay. As sbus compare. Of recordings A is the one that is
 // played; of live lines both are other instances, which hand over their records.
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
@@ -18,13 +19,45 @@ constexpr int64_t SilenceUs = 2000;     // between frames
 constexpr int64_t LiveHeldUs = 250000;  // a frame may wait for what follows it, and a port may be read this late
 
 struct Comparing {
-  explicit Comparing(int64_t later) : laterUs(later) {}
+  explicit Comparing(int64_t later) : laterUs(later) {
+    least[0].fill(UINT16_MAX);
+    least[1] = least[0];
+  }
 
   // Returns A's time of a line's time. `side`: 0 or 1.
   int64_t timeOf(unsigned side, double us) const { return static_cast<int64_t>(us) + (side == 1 ? laterUs : 0); }
 
+  void put(int64_t us, const line::Alignment &found) {
+    comparison.put(us, found);
+    for (size_t side = 0; side < 2; side++) {
+      if (const std::optional<line::Values> &values = found.values[side]; values && !values->failsafe) {
+        channels[side] = values->count;
+        for (size_t i = 0; i < values->count; i++) {
+          least[side][i] = std::min(least[side][i], values->raw[i]);
+          most[side][i] = std::max(most[side][i], values->raw[i]);
+        }
+      }
+    }
+  }
+
+  // Returns the first channel whose ends differ, if hardly any frames are alike: receivers scale sticks differently.
+  std::string ends(const line::Comparison::Counts &counts) const {
+    constexpr int Moved = 200, Differ = 8;  // of 2048
+    const size_t common = counts.same * 2 < std::min(counts.frames[0], counts.frames[1]) ? std::min(channels[0], channels[1]) : 0;
+    for (size_t i = 0; i < common; i++) {
+      const int low[] = {least[0][i], least[1][i]}, high[] = {most[0][i], most[1][i]};
+      if (high[0] - low[0] >= Moved && high[1] - low[1] >= Moved &&
+          std::max(std::abs(low[0] - low[1]), std::abs(high[0] - high[1])) > Differ) {
+        return line::format("CH%zu goes from %d to %d in A, from %d to %d in B: their scales differ.", i + 1, low[0], high[0], low[1], high[1]);
+      }
+    }
+    return "";
+  }
+
   line::Comparison comparison{[](const line::LostSpan &) {}};
-  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { comparison.put(us, found); }};
+  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { put(us, found); }};
+  std::array<decltype(line::Values::raw), 2> least, most{};  // by side and channel, without failsafe
+  std::array<size_t, 2> channels{};
   const int64_t laterUs;
 };
 
@@ -84,10 +117,10 @@ std::string json(const Comparing &found, const line::Comparison::Counts &counts)
          line::format(
              "\"same\":%lu,\"different\":%lu,\"delays\":%lu,\"medianUs\":%lld,\"leastUs\":%lld,\"mostUs\":%lld,"
              "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"evidence\":\"%s\","
-             "\"areDelaysLate\":%s}",
+             "\"ends\":\"%s\",\"areDelaysLate\":%s}",
              counts.same, counts.different, delays.count(), static_cast<long long>(delays.medianUs()),
              static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()), delays.driftPpm(),
-             delays.at(0), static_cast<long long>(found.laterUs), found.aligner.evidence().c_str(),
+             delays.at(0), static_cast<long long>(found.laterUs), found.aligner.evidence().c_str(), found.ends(counts).c_str(),
              counts.areDelaysLate ? "true" : "false");
 }
 
@@ -133,7 +166,7 @@ EXPORT(comparePart)(unsigned size)->void {
   }
 }
 
-// After the last part. Returns "" if they have no frame in common.
+// After the last part.
 EXPORT(comparison)()->const char * {
   const line::Characters &characters = theTape.recording.characters;
   for (; comparing->taken < characters.size(); comparing->taken++) {
@@ -143,7 +176,7 @@ EXPORT(comparison)()->const char * {
   comparing->b.observer().finish();
   comparing->aligner.finish();
   comparing->comparison.finish();
-  words = comparing->comparison.any() ? json(*comparing, comparing->comparison.counts()) : "";
+  words = json(*comparing, comparing->comparison.counts());
   comparing.reset();
   return words.c_str();
 }

@@ -24,6 +24,7 @@ std::string &name = theTape.name;
 line::LineSettings &settings = theTape.settings;
 line::Recording &tape = theTape.recording;
 line::FileHead head;
+line::Overrides overrides;
 std::unique_ptr<line::LineReader> reader;  // of a text and of bytes
 std::unique_ptr<line::RecordedCapture> capture;
 std::unique_ptr<line::CaptureText> captureText;  // of a capture
@@ -133,6 +134,11 @@ EXPORT(nameFile)(unsigned count)->void {
   name = transferred(count);
 }
 
+// The name of the signal to decode is in the buffer; without this call it is the best one.
+EXPORT(chooseSignal)(unsigned count)->void {
+  overrides.signal = transferred(count);
+}
+
 // The file's beginning is in the buffer, line::FileHeadMax bytes of it or all. Returns why the page cannot read it, or "".
 EXPORT(openFile)(unsigned count)->const char * {
   head = line::readFileHead(transferred(count), name);
@@ -140,8 +146,8 @@ EXPORT(openFile)(unsigned count)->const char * {
   theTape.startUs = head.startUs;
   reader = line::makeReader(head);
   if (head.kind == line::FileKind::Capture) {
-    capture = std::make_unique<line::RecordedCapture>(line::Overrides{}, true);
-    captureText = std::make_unique<line::CaptureText>(name, line::Overrides{}, capture->wire());
+    capture = std::make_unique<line::RecordedCapture>(overrides, true);
+    captureText = std::make_unique<line::CaptureText>(name, overrides, capture->wire());
   }
   words = head.error.empty() ? "" : name + ": " + head.error;
   return words.c_str();
@@ -154,7 +160,7 @@ EXPORT(sessionMetadata)(unsigned count)->void {
 
 // After the metadata. Returns what is wrong with them, or "".
 EXPORT(openSession)()->const char * {
-  capture = std::make_unique<line::RecordedCapture>(line::Overrides{}, true);
+  capture = std::make_unique<line::RecordedCapture>(overrides, true);
   session = std::make_unique<line::SessionReader>(capture->wire(), 0);
   words = metadata.empty() ? line::SessionReader::NoMetadata : session->metadata(metadata);
   words = words.empty() ? "" : name + ": " + words;
@@ -229,6 +235,15 @@ EXPORT(carrier)()->const char * {
     const line::WireDecoder &wire = capture->wire();
     words = "signal " + wire.signal() + (wire.wire().frames > 0 ? "" : ", without a frame") +
             (wire.isMeasured() ? ", " + text(wire.wire().settings) : "");
+  }
+  return words.c_str();
+}
+
+// Returns the signals of a capture that carry S.Bus, a line each: the decoded one first.
+EXPORT(signals)()->const char * {
+  words = capture ? capture->wire().signal() : "";
+  for (const std::string &other : capture ? capture->wire().others() : std::vector<std::string>()) {
+    words += "\n" + other;
   }
   return words.c_str();
 }

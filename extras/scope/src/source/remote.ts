@@ -64,8 +64,8 @@ export class Remote {
     this.picture = file.picture;
   }
 
-  // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
-  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Remote> {
+  // Reads the file; of a capture, the signal `wire`. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
+  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void, wire?: string): Promise<Remote> {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e9} GB: sbus summary and sbus csv can read it`);
     }
@@ -83,7 +83,7 @@ export class Remote {
             reject(new Error(data.error));
           }
         };
-        worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
+        worker.postMessage({ kind: 'open', wasm: core.wasm, file, signal: wire } satisfies Request);
       });
       const remote = new Remote(core, worker, () => worker.terminate(), await opened).listening();
       worker.onerror = (event): void => {

@@ -26,6 +26,9 @@ export abstract class Second implements Sink {
   // Returns undefined before it is made, null if both have no frame in common.
   abstract get comparison(): Comparison | null | undefined;
 
+  // Which ends of channels differ, or ''.
+  abstract get ends(): string;
+
   // The text to show until then.
   abstract readonly waiting: string;
 
@@ -81,7 +84,12 @@ export class SecondRecording extends Second {
 
   get comparison(): Comparison | null | undefined {
     const { compared } = this.first.line;
-    return compared?.id === this.id ? (compared.comparison ?? null) : undefined;
+    return compared?.id !== this.id ? undefined : compared.comparison.delays > 0 ? compared.comparison : null;
+  }
+
+  get ends(): string {
+    const { compared } = this.first.line;
+    return compared?.id === this.id ? compared.comparison.ends : '';
   }
 
   follow(): void {
@@ -119,6 +127,10 @@ export class SecondPort extends Second {
   get comparison(): Comparison | undefined {
     const { comparedSoFar } = this.line;
     return comparedSoFar?.delays ? comparedSoFar : undefined;
+  }
+
+  get ends(): string {
+    return this.line.comparedSoFar?.ends ?? '';
   }
 
   follow(): void {

@@ -76,12 +76,12 @@ export class SecondView {
     setText(byId('second-readout'), this.read(lane));
   }
 
-  private tell({ comparison, waiting, problem, line }: Second, gapUs: number): void {
+  private tell({ comparison, ends, waiting, problem, line }: Second, gapUs: number): void {
     const { state, linkQuality, gapMeanUs } = line.status();
     const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
     setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${line.live?.note ?? ''}`.trim());
     if (!comparison) {
-      setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : waiting);
+      setText(byId('second-text'), `${comparison === null ? 'The recordings have no frame in common.' : waiting} ${ends}`.trim());
       return;
     }
     const { medianUs, leastUs, mostUs, driftPpm, evidence, areDelaysLate, same, different, alone, late, lost, spans, longest } = comparison;
@@ -90,6 +90,7 @@ export class SecondView {
       byId('second-text'),
       `B is ${ms(Math.abs(medianUs))} ${later} than A (${ms(leastUs)} to ${ms(mostUs)}, drift ${driftPpm.toFixed(1)} µs/s), by ${evidence}${areDelaysLate ? '; inaccurate, since the PC was late' : ''}. ` +
         (gapMeanUs > 0 && gapUs > 0 && Math.abs(Math.log(gapMeanUs / gapUs)) > ratesDiffer ? `A sends every ${ms(gapUs)}, B every ${ms(gapMeanUs)}: frames differ while sticks move. ` : '') +
+        (ends && `${ends} `) +
         `${counted(same, 'frame')} alike, ${different} different; ${alone[0]} only in A and ${alone[1]} only in B before or after the other.` +
         (late[0] + late[1] > 0 ? ` Not compared: ${late[0]} of A and ${late[1]} of B; the PC was late, or the delay not known yet.` : ''),
     );

@@ -1,5 +1,5 @@
 // The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
-// Each fault has a height of its own, so that they can be told apart without colours; losses are as high as they are many.
+// Each fault has a height of its own, so that they can be told apart without colours; losses and damage are as high as they are many.
 
 import { clock } from '../clock';
 import { binCount, faultNames, faults } from '../faults';
@@ -11,9 +11,10 @@ import { Announcer } from './announcer';
 const restMs = 1000; // from one announced fault to the next
 const tall = 8;
 const lossTall = 5.5; // all frames of a second lost
+const [damageLeast, damageTall] = [0.5, 3]; // one byte; nothing but damage
 
 // Top and height, of `tall`, by Fault. Lost frames are a thin line until it is known how many they are.
-const bands: [number, number][] = [[0, 8], [0, 8], [7.5, 0.5], [0, 2.5], [3.5, 1], [6.5, 1.5]];
+const bands: [number, number][] = [[0, 8], [0, 8], [7.5, 0.5], [0, damageTall], [3.5, 1], [6.5, 1.5]];
 const classes = ['failsafe', 'failsafe', 'lost', 'damage', 'silence', 'late'];
 
 const textOf = ({ fault, fromUs, toUs }: Span): string => `${faultNames[fault]}, ${clock(fromUs)}${toUs > fromUs ? ` to ${clock(toUs)}` : ''}`;
@@ -39,6 +40,13 @@ function outline(fault: Fault, bins: Uint8Array): string {
   return path;
 }
 
+// Returns the damage of each bin, from the top down, as high as the root of its share of the time.
+const damage = ({ bins, damaged }: FaultMap, lengthUs: number): string =>
+  Array.from(bins, (mask, bin) => {
+    const height = damageLeast + (damageTall - damageLeast) * Math.sqrt(Math.min((damaged[bin] * binCount) / lengthUs, 1));
+    return mask & (1 << Fault.Damage) ? `M${bin} 0h1v${height.toFixed(2)}h-1z` : '';
+  }).join('');
+
 // Returns the losses of each part, as high as the root of their share: 0.3 % and 40 % can be told apart.
 const losses = ({ strip }: Flight, lengthUs: number): string =>
   strip.filter(([, , lost]) => lost > 0).map(([fromUs, toUs, lost]) => {
@@ -57,7 +65,7 @@ export class Strip {
   private readonly bookmarks = svg('path', { class: 'bookmark' });
   private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
   private readonly counts = faults.map(() => make('span'));
-  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show only these, and go only to these. Those less than a second apart count as one.' }));
+  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show only these, and go only to these. Damage less than a second apart counts as one.' }));
   private readonly state = make('li');
   private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
 
@@ -78,7 +86,7 @@ export class Strip {
     if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
       this.shownFlight = flight;
-      this.drawMap(map ?? { us: 0, isComplete: false, bins: new Uint8Array(binCount), counts: faults.map(() => 0) }, lengthUs);
+      this.drawMap(map ?? { us: 0, isComplete: false, bins: new Uint8Array(binCount), damaged: new Float32Array(binCount), counts: faults.map(() => 0) }, lengthUs);
       if (flight) {
         setAttribute(this.paths[Fault.LostFrame], 'd', losses(flight, lengthUs));
       }
@@ -110,10 +118,11 @@ export class Strip {
     return this.only === undefined ? counts.reduce((sum, count) => sum + count) : counts[this.only];
   }
 
-  private drawMap({ us, isComplete, bins, counts }: FaultMap, lengthUs: number): void {
+  private drawMap(map: FaultMap, lengthUs: number): void {
+    const { us, isComplete, bins, counts } = map;
     setAttribute(this.decoded, 'width', String(Math.min((binCount * us) / lengthUs, binCount)));
     faults.forEach((fault) => {
-      setAttribute(this.paths[fault], 'd', outline(fault, bins));
+      setAttribute(this.paths[fault], 'd', fault === Fault.Damage ? damage(map, lengthUs) : outline(fault, bins));
       setText(this.counts[fault], `${faultNames[fault]}: ${counts[fault]} ×`);
       (this.buttons[fault].parentElement as HTMLElement).hidden = counts[fault] === 0;
     });

@@ -2,7 +2,7 @@
 
 import { secondsText, tickText } from '../clock';
 import type uPlot from 'uplot';
-import { byId, setText } from '../dom';
+import { byId, make, setText } from '../dom';
 import type { Wire } from '../messages';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
@@ -52,6 +52,11 @@ export class WireView {
   show(source: RecordingSource | undefined): void {
     this.source = source?.line.file.carrier ? source : undefined;
     byId('wire').hidden = !this.source;
+    const { signals = [], line } = source ?? {};
+    const select = byId<HTMLSelectElement>('wire-signal');
+    (select.parentElement as HTMLElement).hidden = signals.length < 2;
+    select.replaceChildren(...signals.map((signal) => make('option', { value: signal }, signal)));
+    select.value = line?.file.signals?.[0] ?? '';
     this.shown = undefined;
     this.asked = '';
     this.positionUs = NaN;

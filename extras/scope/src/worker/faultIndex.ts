@@ -5,7 +5,7 @@ import { binCount, faults, silenceUs } from '../faults';
 import { Flag, Kind } from '../line';
 import { Fault, type Found, type Span } from '../messages';
 
-const apartUs = 1000000; // nearer faults are one: there is at most one for each second of a recording
+const apartUs = 1000000; // nearer damage is one fault; the others are spans as sbus summary counts them
 
 // The spans of one fault, in the order of time.
 class Spans {
@@ -16,10 +16,13 @@ class Spans {
     return this.from.length;
   }
 
-  // Adds a span, which begins later than all before.
+  // Spans up to this far apart are one: 0 joins those that meet, -1 none.
+  constructor(private readonly apartUs: number) {}
+
+  // Adds a span, which begins later than all before; or goes on with the last one.
   add(fromUs: number, toUs: number): void {
     const last = this.count - 1;
-    if (last >= 0 && fromUs - this.to[last] <= apartUs) {
+    if (last >= 0 && fromUs - this.to[last] <= this.apartUs) {
       this.to[last] = Math.max(this.to[last], toUs);
     } else {
       this.from.push(fromUs);
@@ -40,7 +43,8 @@ class Spans {
 
 export class FaultIndex {
   readonly bins = new Uint8Array(binCount);
-  private readonly spans = faults.map(() => new Spans());
+  readonly damaged = new Float32Array(binCount); // us in each bin
+  private readonly spans = faults.map((fault) => new Spans(fault === Fault.Damage ? apartUs : fault >= Fault.NoFrames ? -1 : 0));
   private readonly on = faults.map(() => false); // at the newest frame or row
   private readonly perUs: number;
   private count = 0; // frames or rows
@@ -155,6 +159,9 @@ export class FaultIndex {
     const last = Math.min(Math.floor(toUs * this.perUs), binCount - 1);
     for (let bin = Math.floor(fromUs * this.perUs); bin <= last; bin++) {
       this.bins[bin] |= 1 << fault;
+      if (fault === Fault.Damage) {
+        this.damaged[bin] += Math.min(toUs, (bin + 1) / this.perUs) - Math.max(fromUs, bin / this.perUs);
+      }
     }
   }
 }

@@ -15,6 +15,7 @@ export class Tape {
   lengthUs = 0;
   bookmarks?: Bookmark[]; // of a recording as a plain text
   carrier = ''; // of a capture: the signal that carries the line
+  signals: string[] = []; // of a capture: those that carry S.Bus, this one first
   note = ''; // what a user should know of the file
   zeroUs = 0; // the file's own time at time 0, not above 0
   private readonly native: Native;
@@ -24,11 +25,13 @@ export class Tape {
   }
 
   // Returns what is wrong with the file, or ''. Throws an Error if it cannot be unpacked.
-  async read(file: File, progress: (part: number) => void): Promise<string> {
+  // `signal`: of a capture, the one to decode.
+  async read(file: File, progress: (part: number) => void, signal = ''): Promise<string> {
     const { calls } = this.native;
     let bytes = 0;
     const taken = (count: number): void => progress((bytes += count) / file.size);
     this.native.transfer(new TextEncoder().encode(file.name), (count) => calls.nameFile(count));
+    this.native.transfer(new TextEncoder().encode(signal), (count) => calls.chooseSignal(count));
     const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
     const isZip = first === 0x50 && second === 0x4b;
     const isGzip = first === 0x1f && second === 0x8b;
@@ -42,6 +45,7 @@ export class Tape {
       this.size = calls.recordingSize();
       this.lengthUs = calls.recordingLengthUs();
       this.carrier = this.native.words(calls.carrier());
+      this.signals = this.native.words(calls.signals()).split('\n').filter(Boolean);
       this.note = this.native.words(calls.fileNote());
       this.zeroUs = calls.recordingZeroUs();
       this.bookmarks = isZip || isGzip || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
@@ -165,10 +169,9 @@ export class Tape {
     this.native.transfer(bytes, (count) => this.native.calls.comparePart(count));
   }
 
-  // After the last part. Returns undefined if they have no frame in common.
-  compared(): Comparison | undefined {
-    const text = this.native.words(this.native.calls.comparison());
-    return text === '' ? undefined : JSON.parse(text);
+  // After the last part.
+  compared(): Comparison {
+    return JSON.parse(this.native.words(this.native.calls.comparison()));
   }
 
   private handed(size: number): Uint8Array {

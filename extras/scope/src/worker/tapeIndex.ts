@@ -61,7 +61,7 @@ export class TapeIndex {
       }
     }
     if (this.isComplete || this.telling.due) {
-      this.tell({ us: this.us, isComplete: this.isComplete, bins: faults.bins, counts: faults.counts() });
+      this.tell({ us: this.us, isComplete: this.isComplete, bins: faults.bins, damaged: faults.damaged, counts: faults.counts() });
     }
   }
 

@@ -181,8 +181,8 @@ class Playing {
       this.tape.compareWith(other);
       this.comparing = { id, other, next: 0 };
       this.waking();
-    } catch {
-      answer({ kind: 'compared', id });
+    } catch (error) {
+      answer({ kind: 'failed', error: (error as Error).message });
     }
   }
 
@@ -332,18 +332,18 @@ function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
 
 let playing: Playing | undefined;
 
-async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise<void> {
+async function open({ wasm, file, signal }: Extract<Request, { kind: 'open' }>): Promise<void> {
   try {
     const module = new WebAssembly.Module(wasm as BufferSource);
     const tape = new Tape(module);
-    const error = await tape.read(file, progress);
+    const error = await tape.read(file, progress, signal);
     if (error !== '') {
       answer({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, note, zeroUs, startUs, bookmarks } = tape;
+    const { lengthUs, carrier, signals, note, zeroUs, startUs, bookmarks } = tape;
     playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, carrier, note, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
+    answer({ kind: 'opened', lengthUs, carrier, signals, note, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
