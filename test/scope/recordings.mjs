@@ -32,17 +32,15 @@ export default async function () {
     });
   }
 
-  for (const message of readFileSync(path.join(recordings, 'bad/MESSAGES'), 'utf8').trim().split('\n')) {
-    const name = message.split(':')[0];
-    if (!existsSync(path.join(recordings, 'bad', name))) {
-      continue;
-    }
-    await check(`bad/${name} is rejected with the host's message: what is wrong, and where`, async (page) => {
-      await page.setInputFiles('#file', path.join(recordings, 'bad', name));
+  const table = readFileSync(path.join(root, 'test/tool/RECORDINGS'), 'utf8').trim().split('\n').slice(1);
+  for (const [number, row] of table.entries()) {
+    const [, text, line, words] = /^(.*?)\|(?:(\d+):)? (.*)$/.exec(row);
+    const name = `bad-${number}.txt`;
+    await check(`a recording that "${words}" is rejected with the host's message, and where`, async (page) => {
+      await page.setInputFiles('#file', { name, mimeType: 'text/plain', buffer: Buffer.from(text.replaceAll('\\n', '\n')) });
       await reads(page, '#notice-text', /^This cannot be played/);
       const said = await page.textContent('#notice-text');
-      const [, line, words] = /^[^:]+(?::(\d+))?: (.*)$/.exec(message);
-      assert.ok(said.includes(`${name}: ${line ? `line ${line}: ` : ''}${words}`), `${said}\n${message}`);
+      assert.ok(said.includes(`${name}: ${line ? `line ${line}: ` : ''}${words}`), `${said}\n${row}`);
       await reads(page, '#state', 'Fine');  // the simulation continues
     });
   }
