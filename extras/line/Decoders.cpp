@@ -36,7 +36,7 @@ void Places::found(Stretch::Kind variant, int size, uint8_t flags) {
   if (variant == Stretch::Kind::Extra) {
     _bad.extraFrames++;
   } else {
-    _bad.count(flags, 0);
+    _bad.count(flags);
   }
 }
 

@@ -28,15 +28,20 @@ struct Counters {
   uint32_t otherSizeFrames;  ///< as many bytes between two gaps as a frame of 24 channels has (DecodeSBus24: of 16)
   uint32_t period;           ///< us, frame interval, smoothed over about eight frames; 0 before the second frame
 
-  /// Counts a frame with these flags, `interval` us after the previous one; more than two periods count as two. A
-  /// negative interval is not used: a blocked loop() has hidden when the previous frame came.
-  void count(uint8_t flags, uint32_t interval) {
-    if (static_cast<int32_t>(period) > 0) {
-      const int32_t longer = static_cast<int32_t>(interval - period);
-      period += static_cast<uint32_t>((longer < static_cast<int32_t>(period) ? longer : static_cast<int32_t>(period)) >> 3);
-    } else if (frames != 0 && static_cast<int32_t>(interval) > 0) {
-      period = interval;
+  /// Takes the time between two frames, us; more than two periods count as two. A first one that is negative is not used:
+  /// a blocked loop() has hidden when the previous frame came.
+  void measure(int32_t interval) {
+    const int32_t before = static_cast<int32_t>(period);
+    if (before > 0) {
+      const int32_t longer = interval - before;
+      period += static_cast<uint32_t>((longer < before ? longer : before) >> 3);
+    } else if (interval > 0) {
+      period = static_cast<uint32_t>(interval);
     }
+  }
+
+  /// Counts a frame with these flags.
+  void count(uint8_t flags) {
     frames++;
     if ((flags & (FlagLostFrame | FlagFailsafe)) != 0) {
       lostFrames += (flags & FlagLostFrame) != 0;

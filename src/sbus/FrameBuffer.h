@@ -38,7 +38,8 @@ class FrameBuffer {
   Silence gap() const { return _gap; }  ///< how certain that gap is: Likely, Gap or Wide
   /// Returns true if a wide gap comes before the incoming frame.
   bool beginsWide() const { return _gapAt == 0 ? _gap == Silence::Wide : _beginsWide; }
-  /// Returns the longest of the gaps before the newest one that lie inside a frame at the beginning, or Unknown.
+  /// Returns what the gaps before the newest one that lie inside a frame at the beginning are: Gap, if all are, or another
+  /// that is one of them; Unknown: there is none.
   Silence inside() const { return _inside; }
   /// Marks a gap before the next byte.
   void markGap(Silence gap) {
@@ -48,7 +49,7 @@ class FrameBuffer {
     }
     if (_gapAt == 0) {
       _beginsWide = _gap == Silence::Wide;
-    } else if (_gapAt < Format::Size && _gap > _inside) {
+    } else if (_gapAt < Format::Size && (_gap != Silence::Gap || _inside == Silence::Unknown)) {
       _inside = _gap;
     }
     _gapAt = _filled;

@@ -396,6 +396,7 @@ class FrameFinderOf : private Events {
     const int following = _buffer.filled() - Size;
     if (following >= 0 && static_cast<unsigned>(following + waiting) < _found) {
       _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
+      _completeBy = _timing.lastPoll();
     }
   }
 
@@ -435,7 +436,7 @@ class FrameFinderOf : private Events {
     const int distance = start - _expectedAt;
     const bool isFirst = start == 0;
     const bool isInSync = distance == 0 && _aligned;
-    const bool isInTime = _completeAfter - _frameTime < _counters.period + Unsteady;
+    const bool isInTime = _completeBy - _takenBy < _counters.period + Unsteady;
     return rules::judge(
         Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
                           isFirst ? _buffer.inside() : Silence::Unknown,
@@ -447,14 +448,18 @@ class FrameFinderOf : private Events {
   // Inlined: 13 cycles a frame less.
   SBUS_IN_LINE const uint8_t *deliver() {
     const uint8_t *const frame = _buffer.complete();
-    if (_expectedAt < rules::MostNoise - Size && _counters.frames != 0) {
-      countUp(_counters.resyncs);
+    const uint32_t interval = _completeAfter - _frameTime;
+    if (_counters.frames != 0) {
+      if (_expectedAt < rules::MostNoise - Size) {
+        countUp(_counters.resyncs);
+      }
+      const bool hasMissed = _expectedAt < -rules::MostNoise;
+      _counters.measure(static_cast<int32_t>(interval) >> (hasMissed ? 1 : 0));  // at least two periods
     }
     _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
-    const uint32_t interval = _completeAfter - _frameTime;
-    _counters.count(Format::flags(frame), interval);
+    _counters.count(Format::flags(frame));
     _frameTime = _completeAfter;
-    _takenBy = _timing.lastPoll();
+    _takenBy = _completeBy;
     Events::interval(interval);
     Events::taken(frame);
     return frame;
@@ -489,7 +494,8 @@ class FrameFinderOf : private Events {
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
-  uint32_t _takenBy;  // us: time of the poll that brought the last frame
+  uint32_t _completeBy;     // us: time of the poll that brought its end
+  uint32_t _takenBy;        // us: likewise, of the last frame
   Counters _counters;
 };
 

@@ -56,7 +56,7 @@ struct Candidate {
   int count;             ///< 25 or more
   int gapAt;             ///< index of the first character after the newest gap; may lie outside
   Silence gap;           ///< how certain that gap is: Likely, Gap or Wide
-  Silence inside;        ///< the longest gap inside before that one; Unknown: none
+  Silence inside;        ///< what the gaps inside before that one are: FrameBuffer::inside()
   bool isPlaced;         ///< a wide gap comes before it, or it is in sync and in time: parts of two frames come later
   uint8_t variant;       ///< of its end byte, a row of LineVariants
   uint8_t lineVariant;   ///< of the line, or UnknownVariant

@@ -136,7 +136,7 @@ void swappedLater(Run &run, Random &random) {
 // Why a frame may be wrong where nothing is promised:
 // - Parts of two stretched frames may be joined if one of them ends where half of a Grasshopper's ring is full.
 // - Noise that ends where half of a Grasshopper's ring is full is followed by a silence that the port does not see.
-// - Where no gap is seen, the parts of two frames look like one.
+// - Where no gap is seen, the parts of two frames look like one: also if a silence within a frame is seen.
 // - Noise that ends less than two characters before a frame touches it, as far as a port can tell that waits for an
 //   idle character: a header in the noise begins a frame.
 // - The frames of another receiver continue one of the first: its first 25 characters may end as a frame does.
@@ -146,10 +146,14 @@ const std::vector<Condition> &senderLines() {
       {"clean, 180 us from character to character", every(180), polled(), None},
       {"clean, 200 us from character to character", every(200), polled(), None},
       {"clean, 240 us from character to character", every(240), polled(), NeverWrong},
-      {"clean, 120 to 240 us from character to character", atRandom(), polled(), NeverWrong},
-      {"clean, 2 silences in each frame", interrupted(2), polled(), NeverWrong},
-      {"clean, 3 silences in each frame", interrupted(3), polled(), NeverWrong},
-      {"clean, silences elsewhere in each frame", plain(), polled(), NeverWrong, {}, interruptedElsewhere},
+      {"clean, 120 to 240 us from character to character", atRandom(), seen(), NeverWrong},
+      {"clean, 120 to 240 us from character to character, gaps not seen", atRandom(), hidden(), None},
+      {"clean, 2 silences in each frame", interrupted(2), seen(), NeverWrong},
+      {"clean, 2 silences in each frame, gaps not seen", interrupted(2), hidden(), None},
+      {"clean, 3 silences in each frame", interrupted(3), seen(), NeverWrong},
+      {"clean, 3 silences in each frame, gaps not seen", interrupted(3), hidden(), None},
+      {"clean, silences elsewhere in each frame", plain(), seen(), NeverWrong, {}, interruptedElsewhere},
+      {"clean, silences elsewhere in each frame, gaps not seen", plain(), hidden(), None, {}, interruptedElsewhere},
       {"clean, 700 us after 12 characters", interruptedAfter(12, 700), polled(), NeverWrong},
       {"called back: clean, 180 us from character to character", every(180), called(), NeverWrong},
       {"called back: clean, 200 us from character to character", every(200), called(), NeverWrong},

@@ -38,10 +38,13 @@ TEST_CASE(
 
 TEST_CASE("the period is that of the line; a longer interval counts for an eighth") {
   sbus::Counters counters = {};
-  const uint32_t rows[][2] = {{5000, 0}, {9000, 9000}, {17000, 10000}, {2000, 9000}};  // interval, period after it
+  const struct {
+    int32_t interval;
+    uint32_t period;  // after it
+  } rows[] = {{-1, 0}, {9000, 9000}, {17000, 10000}, {2000, 9000}};
   for (const auto &row : rows) {
-    counters.count(0, row[0]);
-    CHECK(counters.period == row[1]);
+    counters.measure(row.interval);
+    CHECK(counters.period == row.period);
   }
   for (const uint32_t periodUs : {4000u, 9000u, 15000u}) {
     CAPTURE(periodUs);
@@ -52,6 +55,24 @@ TEST_CASE("the period is that of the line; a longer interval counts for an eight
     }
     CHECK(line.finder.counters().period >= periodUs - 8);
     CHECK(line.finder.counters().period <= periodUs + 8);
+  }
+}
+
+TEST_CASE("the time over a missed frame counts as two periods, also if it is the first") {
+  Feeder line;
+  line.settle();
+  const Bytes frame = bytesOf(plainFrame(1));
+  Bytes other = frame;
+  other.back() = 0x55;
+  const auto send = [&](const Bytes &bytes) { return line.feed(bytes).size() + line.wait(6000).waited.size(); };
+  const struct {
+    Bytes bytes;
+    size_t frames;
+    uint32_t period;  // then
+  } rows[] = {{frame, 1, 0}, {other, 0, 0}, {frame, 1, 9000}, {frame, 1, 9000}, {other, 0, 9000}, {frame, 1, 9000}};
+  for (const auto &row : rows) {
+    CHECK(send(row.bytes) == row.frames);
+    CHECK(line.finder.counters().period == row.period);
   }
 }
 

@@ -178,6 +178,35 @@ TEST_CASE("a frame that lost characters does not join the next one, wherever it 
   }
 }
 
+TEST_CASE("... nor if the sender is silent within each frame") {
+  for (const Payload payload : Payloads) {
+    for (const uint64_t periodUs : {9 * Ms, 14 * Ms}) {
+      for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
+        for (const size_t silentAfter : {1u, 2u, 3u, 7u, 20u}) {
+          INFO("payload ", static_cast<int>(payload), ", periodUs ", periodUs, ", ringAt ", ringAt, ", silentAfter ",
+               silentAfter);
+          constexpr uint64_t SilentUs = 420;
+          Watching<> board(payload, ringAt);
+          const auto send = [&](const Bytes &bytes) {
+            board.send(part(bytes, 0, silentAfter));
+            board.pass(SilentUs);
+            board.some(part(bytes, silentAfter), periodUs - silentAfter * board.CharacterUs - SilentUs);
+          };
+          for (unsigned i = 0; i < 40; i++) {
+            board.sent.push_back({readBitByBit(board.frame()), fakeMicros + 25 * board.CharacterUs + SilentUs});
+            send(bytesOf(board.frame()));
+            if (i % 4 == 3) {  // together with the beginning of the next one it has 25 characters
+              send(part(board.frame(), 0, 10) + part(board.frame(), 10 + silentAfter));
+            }
+          }
+          board.check();
+          CHECK(board.frames >= 30);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("one read takes a whole frame, wherever it lies in the ring") {
   for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
     CAPTURE(ringAt);

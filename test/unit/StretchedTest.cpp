@@ -156,7 +156,7 @@ TEST_CASE("frames with a gap after each character are delivered from the second 
         CHECK(line.wait(LeastUs).waited.empty());
         CHECK(line.feed({byte}).empty());
       }
-      if (isKnown && number < 4) {  // these take longer than frames did, and are not in time until that is known
+      if (isKnown && number < 6) {  // these take longer than frames did, and are not in time until that is known
         line.wait(LeastUs).wait(WideUs);
         continue;
       }
