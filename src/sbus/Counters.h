@@ -30,13 +30,13 @@ struct Counters {
 
   /// Takes the time between two frames, us; more than two periods count as two. A first one that is negative is not used:
   /// a blocked loop() has hidden when the previous frame came.
-  void measure(int32_t interval) {
+  void measure(uint32_t interval) {
     const int32_t before = static_cast<int32_t>(period);
     if (before > 0) {
-      const int32_t longer = interval - before;
+      const int32_t longer = static_cast<int32_t>(interval - period);
       period += static_cast<uint32_t>((longer < before ? longer : before) >> 3);
-    } else if (interval > 0) {
-      period = static_cast<uint32_t>(interval);
+    } else if (static_cast<int32_t>(interval) > 0) {
+      period = interval;
     }
   }
 

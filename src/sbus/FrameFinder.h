@@ -453,8 +453,8 @@ class FrameFinderOf : private Events {
       if (_expectedAt < rules::MostNoise - Size) {
         countUp(_counters.resyncs);
       }
-      const bool hasMissed = _expectedAt < -rules::MostNoise;
-      _counters.measure(static_cast<int32_t>(interval) >> (hasMissed ? 1 : 0));  // at least two periods
+      const bool hasMissed = _expectedAt < -rules::MostNoise;  // then it is two periods or more
+      _counters.measure(static_cast<uint32_t>(static_cast<int32_t>(interval) >> (hasMissed ? 1 : 0)));
     }
     _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
     _counters.count(Format::flags(frame));

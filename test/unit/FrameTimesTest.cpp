@@ -38,13 +38,11 @@ TEST_CASE(
 
 TEST_CASE("the period is that of the line; a longer interval counts for an eighth") {
   sbus::Counters counters = {};
-  const struct {
-    int32_t interval;
-    uint32_t period;  // after it
-  } rows[] = {{-1, 0}, {9000, 9000}, {17000, 10000}, {2000, 9000}};
+  constexpr uint32_t Negative = UINT32_MAX;
+  const uint32_t rows[][2] = {{Negative, 0}, {9000, 9000}, {17000, 10000}, {2000, 9000}};  // interval, period after it
   for (const auto &row : rows) {
-    counters.measure(row.interval);
-    CHECK(counters.period == row.period);
+    counters.measure(row[0]);
+    CHECK(counters.period == row[1]);
   }
   for (const uint32_t periodUs : {4000u, 9000u, 15000u}) {
     CAPTURE(periodUs);
