@@ -38,8 +38,8 @@ class FrameBuffer {
   Silence gap() const { return _gap; }  ///< how certain that gap is: Likely, Gap or Wide
   /// Returns true if a wide gap comes before the incoming frame.
   bool beginsWide() const { return _gapAt == 0 ? _gap == Silence::Wide : _beginsWide; }
-  /// Returns what the gaps before the newest one that lie inside a frame at the beginning are: Gap, if all are, or another
-  /// that is one of them; Unknown: there is none.
+  /// Returns how certain the gaps inside a frame at the beginning are, without the newest: Gap if all are certain,
+  /// Likely or Wide if one is that, Unknown if there are none.
   Silence inside() const { return _inside; }
   /// Marks a gap before the next byte.
   void markGap(Silence gap) {

@@ -209,9 +209,12 @@ class FrameFinderOf : private Events {
   // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
   __attribute__((noinline)) static void countUp(uint32_t &counter) { counter++; }
 
-  // Returns true if the next byte is expected to begin a frame, by now in time.
+  // Returns true if the next byte is expected to begin a frame.
   SBUS_IN_LINE bool isDue() const { return _aligned && _expectedAt == 0; }
-  bool isInTime(uint32_t now) const { return now - _takenBy < _counters.period + LineTiming::LongestStop; }
+  // Returns true if a frame that is complete by this time, us, is late by less than `late`, us.
+  bool isInTime(uint32_t by, uint32_t late = LineTiming::LongestStop) const {
+    return by - _takenBy < _counters.period + late;
+  }
 
   // After lost bytes, or a silence longer than any frame period, the next character may stand anywhere in a frame.
   void startOver(int distance) {
@@ -436,12 +439,12 @@ class FrameFinderOf : private Events {
     const int distance = start - _expectedAt;
     const bool isFirst = start == 0;
     const bool isInSync = distance == 0 && _aligned;
-    const bool isInTime = _completeBy - _takenBy < _counters.period + Unsteady;
     return rules::judge(
         Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
                           isFirst ? _buffer.inside() : Silence::Unknown,
-                          isFirst && (isInSync && _counters.period != 0 ? isInTime : _buffer.beginsWide()), variant,
-                          _variant, distance, isInSync},
+                          isFirst && (isInSync && _counters.period != 0 ? isInTime(_completeBy, Unsteady)
+                                                                        : _buffer.beginsWide()),
+                          variant, _variant, distance, isInSync},
         _sizeCheck);
   }
 
