@@ -7,7 +7,7 @@
 
 #include "DmaSender.h"
 #elif defined(SBUS_RP2040)
-#include <hardware/irq.h>
+#include "Alarm.h"
 #elif defined(SBUS_ESP32)
 #include <esp_attr.h>
 #include <hal/uart_ll.h>
@@ -188,19 +188,13 @@ namespace {
 
 constexpr uint32_t Soonest = 10;  // us: loop() goes on meanwhile
 
-unsigned alarm;
+Alarm alarm;
 uint32_t next;  // us, until the next call
 
 // Returns a time that changes from call to call: otherwise the interrupt could stay in step with a loop() that is in a
 // method of the port each time.
 uint32_t soon() {
   return next >= Soonest && next < 2 * Soonest ? next + 1 : Soonest;
-}
-
-// If the time has already passed, the alarm is not set: then it tries again.
-void arm() {
-  while (hardware_alarm_set_target(alarm, from_us_since_boot(time_us_64() + next))) {
-  }
 }
 
 // If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): a poll would
@@ -211,38 +205,29 @@ void elapsed(unsigned) {
   } else {
     next = soon();
   }
-  arm();
+  alarm.arm(next);
 }
 
 }  // namespace
 
 volatile bool FlagLock::isLocked = false;
 
-// Below the UART's interrupt: above it, it would wait forever for the mutex that this one holds (SerialUART.cpp:352 and
-// 518).
 bool SlotTimer::start(SerialUART &port, void (*due)(void *), void *context) {
   if (sender != nullptr) {
     return isOf(context);
   }
-  const int free = hardware_alarm_claim_unused(false);
-  if (free < 0) {
+  if (!alarm.claim(elapsed)) {
     return false;
   }
-  alarm = static_cast<unsigned>(free);
-  take(port, due, context);
   next = Soonest;
-  hardware_alarm_set_callback(alarm, elapsed);
-  irq_set_priority(hardware_alarm_get_irq_num(alarm), PICO_LOWEST_IRQ_PRIORITY);
-  arm();
+  take(port, due, context);
+  alarm.arm(next);
   return true;
 }
 
 void SlotTimer::stop(void *context) {
   if (isOf(context)) {
-    hardware_alarm_cancel(alarm);
-    hardware_alarm_set_callback(alarm, nullptr);
-    irq_set_priority(hardware_alarm_get_irq_num(alarm), PICO_DEFAULT_IRQ_PRIORITY);
-    hardware_alarm_unclaim(alarm);
+    alarm.release();
     sender = nullptr;
   }
 }

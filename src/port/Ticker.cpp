@@ -3,9 +3,7 @@
 #if defined(SBUS_TICKER)
 
 #if defined(SBUS_RP2040)
-#include <hardware/irq.h>
-#include <hardware/timer.h>
-#include <pico.h>
+#include "Alarm.h"
 #elif defined(SBUS_ESP32)
 #include <esp_timer.h>
 #include <freertos/FreeRTOS.h>
@@ -103,60 +101,45 @@ ISR(TIMER0_COMPB_vect) {
 
 #elif defined(SBUS_RP2040)
 
-// arduino-pico: an alarm of the microsecond timer that nothing else uses. Its interrupt runs on the core that has
-// called begin() first; decoders of the other core are not polled.
+// arduino-pico: an alarm of the microsecond timer. Its interrupt runs on the core that has called begin() first;
+// decoders of the other core are not polled.
 namespace {
 
 constexpr uint32_t Period = 1000;  // us
 constexpr uint32_t Soonest = 20;   // us: loop() goes on meanwhile
 
 bool isRunning = false;
-unsigned alarm, core;
+Alarm alarm;
+unsigned core;
 uint32_t next = Period;  // us, until the next call
-
-// If the time has already passed, the alarm is not set: then it tries again.
-void arm() {
-  while (hardware_alarm_set_target(alarm, from_us_since_boot(time_us_64() + next))) {
-  }
-}
 
 // A time that changes from call to call: otherwise the interrupt could stay in step with a loop() that is in a method
 // of the port each time.
 void elapsed(unsigned) {
   next = PolledByTimer::tickAll() ? Period : next < 2 * Soonest ? next + 1 : Soonest;
-  arm();
+  alarm.arm(next);
 }
 
 }  // namespace
 
-// Below the UART's interrupt: above it, it would wait forever for the mutex that this one holds (SerialUART.cpp:352 and
-// 518).
 bool PolledByTimer::startTimer() {
   if (isRunning) {
     return core == get_core_num();
   }
-  const int free = hardware_alarm_claim_unused(false);
-  if (free < 0) {
+  if (!alarm.claim(elapsed)) {
     return false;
   }
   isRunning = true;
-  alarm = static_cast<unsigned>(free);
   core = get_core_num();
-  hardware_alarm_set_callback(alarm, elapsed);
-  irq_set_priority(hardware_alarm_get_irq_num(alarm), PICO_LOWEST_IRQ_PRIORITY);
-  arm();
+  alarm.arm(next);
   return true;
 }
 
 void PolledByTimer::stopTimer() {
-  if (!isRunning) {
-    return;
+  if (isRunning) {
+    alarm.release();
+    isRunning = false;
   }
-  hardware_alarm_cancel(alarm);
-  hardware_alarm_set_callback(alarm, nullptr);
-  irq_set_priority(hardware_alarm_get_irq_num(alarm), PICO_DEFAULT_IRQ_PRIORITY);
-  hardware_alarm_unclaim(alarm);
-  isRunning = false;
 }
 
 }  // namespace sbus
