@@ -28,7 +28,6 @@ class Input {
   // Sets the time at which run() begins; earlier characters are left out. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
-
   // Calls `put` with each character as it arrives, and `tick` every millisecond; on a port, whenever bytes arrive and
   // 20 times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws
   // std::runtime_error if the line fails.
