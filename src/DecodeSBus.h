@@ -332,7 +332,7 @@ class DecodeSBusOf : protected Polling {
     uint32_t now = micros();
     const int found = _port.available();
     if (Events::wantsTimes()) {
-      _finder.events().asked(found, micros());
+      _finder.events().polled(found, micros());
     } else if (found > 0 && !fromCallback) {
       now = micros();  // an interrupt may have delayed available()
     }

@@ -30,7 +30,7 @@ void SBus2Sensor::stop() {
 
 void SBus2Sensor::start(unsigned long baud) {
   reset(baud);
-  _rhythm.reset();
+  _interval.reset();
   _timedFrame = 0;
   startCallbacks(&SBus2Sensor::onReceive, this);
   _isTimed = _start(_stream, this);
@@ -84,37 +84,39 @@ void SBus2Sensor::answerWithin(int32_t wait) {
 }
 
 __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) {
-  sbus::Answers &answers = _finder.events();
+  sbus::SlotSchedule &answers = _finder.events();
   const bool cameAtOnceBefore = _cameAtOnce;  // the callback before: two that are equally late would look consistent
   _cameAtOnce = fromCallback && sbus::SlotTimer::cameAtOnce();
+  const uint16_t found = answers.pollFound();
+  const uint32_t by = answers.pollTime();
   if (_isTimed) {
-    sbus::SlotTimer::polled(answers.found(), answers.by());
-  } else if (answers.found() > 0) {
-    _heardBy = answers.by();
+    sbus::SlotTimer::polled(found, by);
+  } else if (found > 0) {
+    _heardBy = by;
   }
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
   const bool isCalled = fromCallback && _isTimed;  // so no poll comes between two calls
-  const bool isKnown = answers.found() > 0 && !_isLate && (cameAtOnceBefore || !isCalled);
+  const bool isKnown = found > 0 && !_isLate && (cameAtOnceBefore || !isCalled);
   const sbus::ReceiveNotice notice = isKnown ? _notice : sbus::ReceiveNotice::Unknown;
   const uint32_t before = _finder.pollBefore();
-  const sbus::FrameEnd end = isCalled ? sbus::frameEndOfCallback(notice, answers.found(), before, answers.by())
-                                 : sbus::SlotTimer::endOf(_isTimed, notice, answers.found(), before, answers.by());
+  const sbus::FrameEnd end = isCalled ? sbus::frameEndOfCallback(notice, found, before, by)
+                                      : sbus::SlotTimer::endOf(_isTimed, notice, found, before, by);
   const uint32_t apart = end.latest - end.earliest;
   const uint32_t frames = _finder.counters().frames;
   constexpr uint32_t Widest = 1000;  // us: while no frame is expected, polls are farther apart
   if (frames != _timedFrame + 1 || apart > Widest) {
-    _rhythm.miss();
+    _interval.missed();
   }
-  if (apart <= sbus::Answers::MostOff) {
+  if (apart <= sbus::SlotSchedule::MostOff) {
     _timedFrame = frames;
-    _rhythm.frame(end.earliest + apart / 2, answers.outcome());
+    _interval.frame(end.earliest + apart / 2, answers.outcome());
   } else if (apart <= Widest) {
-    _rhythm.early(end.earliest, end.latest);
+    _interval.endedBetween(end.earliest, end.latest);
   }
-  constexpr uint16_t Taken = FrameTime + sbus::Answers::MostOff;  // us: an interval is known to 0.1 ms
-  const uint16_t interval = _rhythm.interval();
+  constexpr uint16_t Taken = FrameTime + sbus::SlotSchedule::MostOff;  // us: an interval is known to 0.1 ms
+  const uint16_t interval = _interval.shortest();
   answers.plan(end.earliest, end.latest, interval > Taken ? interval - Taken : 0);
 }
 
@@ -165,7 +167,7 @@ void SBus2Sensor::tick() {
   constexpr int32_t LongestWait = 40;                   // us
   constexpr int32_t ReadingTime = 400;                  // us
   constexpr int32_t LookAhead = 180, LatestLook = 110;  // us
-  sbus::Answers &answers = _finder.events();
+  sbus::SlotSchedule &answers = _finder.events();
   uint32_t poll = 0;
   checkClock(sbus::SlotTimer::isLate());
   answerWithin(LongestWait);

@@ -5,8 +5,8 @@
 #include "DecodeSBusTelemetry.h"
 #include "port/ReceiveNotice.h"
 #include "port/SlotTimer.h"
-#include "sbus2/Answers.h"
-#include "sbus2/FrameRhythm.h"
+#include "sbus2/SlotSchedule.h"
+#include "sbus2/FrameInterval.h"
 
 #if defined(SBUS_BACKGROUND)
 #error "DecodeSBusBackground would delay the answers of an SBus2Sensor: extras/docs/interrupts.md"
@@ -54,8 +54,8 @@ struct PolledBySlotTimer : PolledByLoop {
 /// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry hold it off while they run. On an
 /// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt. A function that takes a
 /// DecodeSBusTelemetry does not take an SBus2Sensor: make it a template (see DecodeSBusBackgroundOf).
-class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledBySlotTimer> {
-  using Decoder = DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledBySlotTimer>;
+class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::PolledBySlotTimer> {
+  using Decoder = DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::PolledBySlotTimer>;
 
  public:
   using Decoder::ChannelArray;     ///< see DecodeSBusOf
@@ -182,13 +182,13 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::Answers, sbus::PolledB
 
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
-  bool _isTimed = false;  // a timer calls due()
+  bool _isTimed = false;     // a timer calls due()
   bool _cameAtOnce = false;  // the port's last call came at once
-  bool _isLate = false;   // the next poll comes so late that its time says nothing
+  bool _isLate = false;      // the next poll comes so late that its time says nothing
   sbus::SlotTimer::ClockCheck _clockCheck;
-  sbus::FrameRhythm _rhythm;
-  uint32_t _heardBy = 0;      // us: no character that was read has come later
+  sbus::FrameInterval _interval;
+  uint32_t _heardBy = 0;          // us: no character that was read has come later
   int16_t _sampled = NotSampled;  // characters that waited shortly before the slot that is due
-  uint32_t _timedFrame = 0;   // number of the last frame with a known end
+  uint32_t _timedFrame = 0;       // number of the last frame with a known end
   const sbus::ReceiveNotice _notice;
 };

@@ -42,8 +42,8 @@ enum class Finding : uint8_t {
   AllWell,               ///< no fault
 };
 
-/// A setting that was tried, and what a DecodeSBus32 has counted with it: with the counters of a DecodeSBus, frames with
-/// header 2F count as impaired. All trials of a round last equally long.
+/// A setting that was tried, and what a DecodeSBus32 has counted with it: to a DecodeSBus, frames with header 2F count
+/// as impaired. All trials of a round last equally long.
 struct Trial {
   unsigned long baud;  ///< of the port
   bool inverted;       ///< the port inverts

@@ -29,10 +29,10 @@ struct NoEvents {
   /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two gaps prove
   /// nothing.
   static constexpr bool seesEachGap() { return true; }
-  /// Returns true if a DecodeSBus calls asked() in each poll.
+  /// Returns true if a DecodeSBus calls polled() in each poll.
   static constexpr bool wantsTimes() { return false; }
-  void asked(int, uint32_t) {}  ///< by this time, us, this number of bytes had come and waits on the port
-  void forgetAll() {}           ///< the board has slept: what the events before have brought is old
+  void polled(int, uint32_t) {}  ///< by this time, us, this number of bytes had come and waits on the port
+  void forgetAll() {}            ///< the board has slept: what the events before have brought is old
 };
 
 /// Finds frames. The bytes are read directly into the incoming frame:
@@ -113,8 +113,8 @@ class FrameFinderOf : private Events {
   }
 
   /// Likewise, for a port that tells when the line was idle. `fromCallback`: the port has just handed the bytes over
-  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to
-  /// read before likelyGap(), or 0.
+  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes
+  /// to read before likelyGap(), or 0.
   ///
   /// The port does not tell where half of its ring ends. There only the time can show a gap, and other work may have
   /// delayed the call. So such a gap is certain only after a frame's number of characters, and is not looked for

@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "line/simulation/Random.h"
-#include "sbus2/FrameRhythm.h"
+#include "sbus2/FrameInterval.h"
 
 namespace {
 
-using Outcome = sbus::Answers::Outcome;
+using Outcome = sbus::SlotSchedule::Outcome;
 constexpr unsigned Pause = 16, Memory = 1024;
 
 struct Line {
-  sbus::FrameRhythm rhythm;
+  sbus::FrameInterval interval;
   uint32_t now = 0xFFFF0000;  // the clock wraps
 
-  Line() { rhythm.reset(); }
+  Line() { interval.reset(); }
   void frame(uint32_t us, Outcome outcome = Outcome::None) {
     now += us;
-    rhythm.frame(now, outcome);
+    interval.frame(now, outcome);
   }
   void frames(unsigned count, uint32_t us, Outcome outcome = Outcome::None) {
     for (; count > 0; count--) {
@@ -32,9 +32,9 @@ struct Line {
 TEST_CASE("before anything is answered 16 intervals are listened to; then the shortest of them holds") {
   Line line;
   line.frames(1 + Pause - 1, 15000);
-  CHECK(line.rhythm.interval() == 0);
+  CHECK(line.interval.shortest() == 0);
   line.frame(15000);
-  CHECK(line.rhythm.interval() == 15000);
+  CHECK(line.interval.shortest() == 15000);
   Line jittering;
   line::Random random(20185);
   uint32_t shortest = UINT32_MAX;
@@ -44,30 +44,30 @@ TEST_CASE("before anything is answered 16 intervals are listened to; then the sh
     shortest = std::min(shortest, us);
     jittering.frame(us);
   }
-  CHECK(jittering.rhythm.interval() == shortest);
+  CHECK(jittering.interval.shortest() == shortest);
 }
 
 TEST_CASE("a frame whose end is not known exactly counts if it comes early in any case") {
   const auto early = [](Line &line, uint32_t us, uint32_t apart) {
     line.now += us;
-    line.rhythm.early(line.now - apart, line.now);
+    line.interval.endedBetween(line.now - apart, line.now);
   };
   Line line;
   line.frames(2 + Pause, 15000);
   early(line, 15000, 600);
   line.frame(9000);  // nothing is known of these
-  CHECK(line.rhythm.interval() == 15000);
+  CHECK(line.interval.shortest() == 15000);
   line.frame(15000);
   early(line, 14999, 600);
-  CHECK(line.rhythm.interval() == 14399);
+  CHECK(line.interval.shortest() == 14399);
   line.frames(2, 15000);
   early(line, 9000, 1000);
-  CHECK(line.rhythm.interval() == 8000);
+  CHECK(line.interval.shortest() == 8000);
   line.frames(2, 15000);
   early(line, 500, 600);
-  CHECK(line.rhythm.interval() == 0);
+  CHECK(line.interval.shortest() == 0);
   line.frames(1 + 2 * Memory, 15000);
-  CHECK(line.rhythm.interval() == 15000);
+  CHECK(line.interval.shortest() == 15000);
 }
 
 TEST_CASE("a frame that an answer destroys makes an interval longer: the shortest stays, and it listens") {
@@ -76,13 +76,13 @@ TEST_CASE("a frame that an answer destroys makes an interval longer: the shortes
     Line line;
     line.frames(2 + Pause, period);
     line.frames(100, period, Outcome::Fine);
-    CHECK(line.rhythm.interval() == period);
+    CHECK(line.interval.shortest() == period);
     line.frame(2 * period, Outcome::Fine);  // one frame is missing
-    CHECK(line.rhythm.interval() == 0);
+    CHECK(line.interval.shortest() == 0);
     line.frames(Pause - 1, period);
-    CHECK(line.rhythm.interval() == 0);
+    CHECK(line.interval.shortest() == 0);
     line.frame(period);
-    CHECK(line.rhythm.interval() == period);
+    CHECK(line.interval.shortest() == period);
   }
 }
 
@@ -90,13 +90,13 @@ TEST_CASE("a period that becomes shorter holds at once, and after a collision, t
   Line line;
   line.frames(2 + Pause, 15000);
   line.frame(7000, Outcome::Fine);
-  CHECK(line.rhythm.interval() == 7000);
+  CHECK(line.interval.shortest() == 7000);
   Line collided;
   collided.frames(2 + Pause, 15000);
   collided.frame(14000, Outcome::Collided);
-  CHECK(collided.rhythm.interval() == 0);
+  CHECK(collided.interval.shortest() == 0);
   collided.frames(Pause, 7000);
-  CHECK(collided.rhythm.interval() == 7000);
+  CHECK(collided.interval.shortest() == 7000);
 }
 
 TEST_CASE(
@@ -108,7 +108,7 @@ TEST_CASE(
   for (int i = 0; i < 9; i++) {
     line.frame(15000, Outcome::Collided);
     unsigned pause = 0;
-    for (; line.rhythm.interval() == 0; pause++) {
+    for (; line.interval.shortest() == 0; pause++) {
       line.frame(15000);
     }
     pauses.push_back(pause);
@@ -120,11 +120,11 @@ TEST_CASE(
   line.frames(5 * 64, 15000, Outcome::Fine);
   line.frame(15000, Outcome::Collided);
   line.frames(2 * Pause - 1, 15000);
-  CHECK(line.rhythm.interval() == 0);
+  CHECK(line.interval.shortest() == 0);
   line.frames(1 + 2 * 64, 15000, Outcome::Fine);
   line.frame(15000, Outcome::Collided);
   line.frames(Pause, 15000);
-  CHECK(line.rhythm.interval() == 15000);
+  CHECK(line.interval.shortest() == 15000);
 }
 
 TEST_CASE("an early frame is remembered for 1024 to 2048 frames") {
@@ -133,23 +133,23 @@ TEST_CASE("an early frame is remembered for 1024 to 2048 frames") {
   line.frame(9000);
   for (unsigned i = 1; i < Memory; i++) {
     line.frame(15000);
-    CHECK(line.rhythm.interval() == 9000);
+    CHECK(line.interval.shortest() == 9000);
   }
   line.frames(Memory, 15000);
-  CHECK(line.rhythm.interval() == 15000);
+  CHECK(line.interval.shortest() == 15000);
 }
 
 TEST_CASE("an interval whose beginning is not known counts nothing; after 65 ms of silence it begins afresh") {
   Line line;
   line.frames(2 + Pause, 15000);
-  line.rhythm.miss();
+  line.interval.missed();
   line.frame(1000, Outcome::Fine);
-  CHECK(line.rhythm.interval() == 15000);
-  line.rhythm.miss();
+  CHECK(line.interval.shortest() == 15000);
+  line.interval.missed();
   line.frame(45000, Outcome::Fine);
-  CHECK(line.rhythm.interval() == 15000);
+  CHECK(line.interval.shortest() == 15000);
   line.frame(65535);
-  CHECK(line.rhythm.interval() == 0);
+  CHECK(line.interval.shortest() == 0);
   line.frames(Pause, 9000);
-  CHECK(line.rhythm.interval() == 9000);
+  CHECK(line.interval.shortest() == 9000);
 }

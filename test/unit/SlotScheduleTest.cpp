@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "sbus2/Answers.h"
+#include "sbus2/SlotSchedule.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 
 namespace {
 
-using sbus::Answers;
+using sbus::SlotSchedule;
 using sbus::SlotData;
 
 // Data of slot k: k and `round`.
@@ -23,23 +23,23 @@ std::vector<SlotData> dataFrom(uint8_t first, uint8_t count, uint8_t round = 0) 
   return data;
 }
 
-void write(Answers &answers, uint8_t first, uint8_t count, uint8_t round = 0) {
+void write(SlotSchedule &answers, uint8_t first, uint8_t count, uint8_t round = 0) {
   CHECK(answers.write(first, count, dataFrom(first, count, round).data()));
 }
 
-void take(Answers &answers, uint8_t end) {
+void take(SlotSchedule &answers, uint8_t end) {
   answers.taken(plainFrame(0, end).data());
 }
 
 // Reports a frame with this end byte, which ended between these times.
-void frame(Answers &answers, uint8_t end, uint32_t earliest, uint32_t latest, uint32_t gap = 12000) {
+void frame(SlotSchedule &answers, uint8_t end, uint32_t earliest, uint32_t latest, uint32_t gap = 12000) {
   take(answers, end);
   CHECK(answers.takeFrameEnd());
   answers.plan(earliest, latest, gap);
 }
 
 // Returns "slot@start: data" of each answer, taken `lateUs` after it is due.
-std::string sent(Answers &answers, uint32_t lateUs = 0) {
+std::string sent(SlotSchedule &answers, uint32_t lateUs = 0) {
   std::string text;
   while (answers.isPlanned()) {
     const uint32_t due = answers.due();
@@ -71,7 +71,7 @@ TEST_CASE("an answer stands in its slot, counted from the middle of the time wit
   };
   for (const auto &row : rows) {
     CAPTURE(int{row.end});
-    Answers answers;
+    SlotSchedule answers;
     answers.begin();
     for (const uint8_t slot : Bytes{1, 7, 24, 31}) {
       write(answers, slot, 1);
@@ -92,7 +92,7 @@ TEST_CASE("slot 0 is never written, nor a sensor whose slots cross the border of
   for (const auto &row : rows) {
     CAPTURE(int{row.first});
     CAPTURE(int{row.count});
-    Answers answers;
+    SlotSchedule answers;
     answers.begin();
     CHECK(answers.write(row.first, row.count, dataFrom(row.first, row.count).data()) == row.isTaken);
     for (const uint8_t end : Bytes{0x04, 0x14, 0x24, 0x34}) {
@@ -105,7 +105,7 @@ TEST_CASE("slot 0 is never written, nor a sensor whose slots cross the border of
 TEST_CASE("if the frame's end is known to no better than 100 us, the whole group is skipped and counted") {
   for (const uint32_t apart : {100u, 101u, 3000u, 65535u, 0x80000000u}) {
     CAPTURE(apart);
-    Answers answers;
+    SlotSchedule answers;
     answers.begin();
     write(answers, 2, 3);
     frame(answers, 0x04, 1000, 1000 + apart);
@@ -122,7 +122,7 @@ TEST_CASE("an answer that could start more than 100 us late is skipped, and the 
   for (const auto &row : rows) {
     CAPTURE(row.apart);
     CAPTURE(row.lateUs);
-    Answers answers;
+    SlotSchedule answers;
     answers.begin();
     write(answers, 2, 3);
     frame(answers, 0x04, 1000, 1000 + row.apart);
@@ -133,7 +133,7 @@ TEST_CASE("an answer that could start more than 100 us late is skipped, and the 
 }
 
 TEST_CASE("an answer that was not sent before the next frame is skipped: none is sent twice, or in the next frame") {
-  Answers answers;
+  SlotSchedule answers;
   answers.begin();
   write(answers, 2, 3);
   frame(answers, 0x04, 1000, 1000);
@@ -147,7 +147,7 @@ TEST_CASE("an answer that was not sent before the next frame is skipped: none is
 }
 
 TEST_CASE("an answer holds the data of the frame's end, also if new data come before it is sent") {
-  Answers answers;
+  SlotSchedule answers;
   answers.begin();
   write(answers, 8, 3, 1);
   frame(answers, 0x14, 0, 0);
@@ -162,7 +162,7 @@ TEST_CASE("an answer holds the data of the frame's end, also if new data come be
 
 TEST_CASE("only a frame's last byte tells its end: a byte that others follow does not") {
   const uint8_t bytes[] = {0x03, 0xC0, 0x2E};
-  Answers answers;
+  SlotSchedule answers;
   answers.begin();
   CHECK(!answers.takeFrameEnd());
   take(answers, 0x04);
@@ -197,7 +197,7 @@ TEST_CASE(
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
-    Answers answers;
+    SlotSchedule answers;
     answers.begin();
     write(answers, 2, 1);
     frame(answers, 0x04, 0, 0);
@@ -214,7 +214,7 @@ TEST_CASE(
 }
 
 TEST_CASE("an answer that the port could not send counts as skipped, and its echo is not expected") {
-  Answers answers;
+  SlotSchedule answers;
   answers.begin();
   write(answers, 2, 3);
   for (const unsigned unsent : {2u, 3u, 4u}) {
@@ -238,7 +238,7 @@ TEST_CASE("an answer that the port could not send counts as skipped, and its ech
 }
 
 TEST_CASE("the timer polls all the time while a frame's end is expected, and otherwise seldom") {
-  Answers answers;
+  SlotSchedule answers;
   answers.begin();
   CHECK(answers.nextPoll(12345) == 500);
   frame(answers, 0x04, 100000, 100040);  // 100020, give or take 20; 150 us more for clocks that differ
@@ -266,7 +266,7 @@ TEST_CASE("no answer is planned that might run into the next frame, however earl
   };
   for (const auto &row : rows) {
     CAPTURE(row.gap);
-    Answers answers;
+    SlotSchedule answers;
     answers.begin();
     write(answers, 8, 8);
     frame(answers, 0x14, 1000, 1000, row.gap);

@@ -1,4 +1,4 @@
-#include "Answers.h"
+#include "SlotSchedule.h"
 
 #include <string.h>
 
@@ -16,7 +16,7 @@ constexpr uint32_t bits(uint8_t first, uint8_t count) {
 // allowed.
 uint8_t throughBy(uint32_t gap) {
   uint8_t slots = 0;
-  uint32_t end = FirstSlotTime + Answers::MostOff + SlotTime;
+  uint32_t end = FirstSlotTime + SlotSchedule::MostOff + SlotTime;
   for (uint8_t bit = 1; bit != 0 && end < gap; bit = static_cast<uint8_t>(bit << 1)) {
     slots = static_cast<uint8_t>(slots | bit);
     end += SlotPitch;
@@ -34,7 +34,7 @@ uint8_t countOf(uint8_t slots) {
 
 }  // namespace
 
-void Answers::begin() {
+void SlotSchedule::begin() {
   Telemetry::begin();
   _outcome = Outcome::None;
   _isFrameEnd = false;
@@ -49,18 +49,18 @@ void Answers::begin() {
 }
 
 // plan() may interrupt this: it takes either the old data or the new.
-Answers::Own &Answers::editBack() {
+SlotSchedule::Own &SlotSchedule::editBack() {
   Own &back = _own[_front ^ 1];
   back = _own[_front];
   return back;
 }
 
-void Answers::swap() {
+void SlotSchedule::swap() {
   barrier();
   _front = _front ^ 1;
 }
 
-bool Answers::write(uint8_t first, uint8_t count, const SlotData *data) {
+bool SlotSchedule::write(uint8_t first, uint8_t count, const SlotData *data) {
   if (first == 0 || count == 0 || first % SlotsOfGroup + count > SlotsOfGroup || first >= SlotCount) {
     return false;
   }
@@ -71,14 +71,14 @@ bool Answers::write(uint8_t first, uint8_t count, const SlotData *data) {
   return true;
 }
 
-void Answers::stop(uint8_t first, uint8_t count) {
+void SlotSchedule::stop(uint8_t first, uint8_t count) {
   Own &own = editBack();
   own.slots &= first < SlotCount ? ~bits(first, count) : ~uint32_t{0};
   swap();
 }
 
 // Skips what is still planned from the frame before, since it is far too late, and what was never planned.
-void Answers::taken(const uint8_t *frame) {
+void SlotSchedule::taken(const uint8_t *frame) {
   skip();
   _skipped += countOf(_wanted);
   const uint32_t rejected = rejectedGroups();
@@ -96,7 +96,7 @@ void Answers::taken(const uint8_t *frame) {
 }
 
 // An interrupt may change the counter meanwhile, and an AVR reads byte by byte.
-uint32_t Answers::steady(const uint32_t &counter) {
+uint32_t SlotSchedule::steady(const uint32_t &counter) {
   uint32_t read;
   do {
     read = counter;
@@ -106,7 +106,7 @@ uint32_t Answers::steady(const uint32_t &counter) {
 }
 
 // Once RX has heard our own echo, a missing echo means a collision.
-bool Answers::isEchoWrong(bool isWrong) {
+bool SlotSchedule::isEchoWrong(bool isWrong) {
   uint8_t back = 0;
   for (uint8_t i = 0; i < SlotsOfGroup; i++) {
     SlotData data;
@@ -120,23 +120,23 @@ bool Answers::isEchoWrong(bool isWrong) {
   return isWrong || (_hasEcho && back != _out);
 }
 
-void Answers::lost() {
+void SlotSchedule::lost() {
   _isFrameEnd = false;
   Telemetry::lost();
 }
 
-void Answers::discarded(const uint8_t *bytes, int count) {
+void SlotSchedule::discarded(const uint8_t *bytes, int count) {
   _isFrameEnd = _isFrameEnd && count == 0;
   Telemetry::discarded(bytes, count);
 }
 
-bool Answers::takeFrameEnd() {
+bool SlotSchedule::takeFrameEnd() {
   const bool isEnd = _isFrameEnd;
   _isFrameEnd = false;
   return isEnd;
 }
 
-void Answers::plan(uint32_t earliest, uint32_t latest, uint32_t gap) {
+void SlotSchedule::plan(uint32_t earliest, uint32_t latest, uint32_t gap) {
   const uint8_t wanted = _wanted;
   _wanted = 0;
   const uint32_t apart = latest - earliest;
@@ -157,7 +157,7 @@ void Answers::plan(uint32_t earliest, uint32_t latest, uint32_t gap) {
 }
 
 // A clock without a crystal is 0.5 % off, 75 us in a period. Frames may be missing.
-uint16_t Answers::nextPoll(uint32_t now) const {
+uint16_t SlotSchedule::nextPoll(uint32_t now) const {
   constexpr uint16_t Period = 15000;  // us, of S.BUS2
   constexpr uint16_t Margin = 150;
   constexpr uint16_t Seldom = 500;
@@ -175,13 +175,13 @@ uint16_t Answers::nextPoll(uint32_t now) const {
 }
 
 // Moves on to the first of the slots `left` that is not before the present one.
-void Answers::goTo(uint8_t left) {
+void SlotSchedule::goTo(uint8_t left) {
   for (; left != 0 && (left >> _at & 1) == 0; _at++) {
     _due += SlotPitch;
   }
 }
 
-bool Answers::start(uint32_t now, uint8_t *characters) {
+bool SlotSchedule::start(uint32_t now, uint8_t *characters) {
   if (_left == 0) {
     return false;
   }
@@ -201,7 +201,7 @@ bool Answers::start(uint32_t now, uint8_t *characters) {
 }
 
 // Slots go out in rising order: the newest one is the highest bit.
-void Answers::unsent() {
+void SlotSchedule::unsent() {
   uint8_t last = _out;
   while ((last & (last - 1)) != 0) {
     last = static_cast<uint8_t>(last & (last - 1));
@@ -211,7 +211,7 @@ void Answers::unsent() {
   _skipped++;
 }
 
-void Answers::skip() {
+void SlotSchedule::skip() {
   _skipped += countOf(_left);
   _left = 0;
 }

@@ -23,7 +23,7 @@ constexpr uint16_t SlotTime = 360;        ///< us, of its three characters
 ///
 /// The context that reads the port calls the events and plan(), and the context that sends calls start(). Both may
 /// interrupt write().
-class Answers : public Telemetry {
+class SlotSchedule : public Telemetry {
  public:
   static constexpr uint8_t MostOff = 100;  ///< us: the most that a slot may start too early or too late
 
@@ -80,13 +80,13 @@ class Answers : public Telemetry {
   void discarded(const uint8_t *bytes, int count);     ///< see NoEvents
   static constexpr bool wantsTimes() { return true; }  ///< see NoEvents
   /// See NoEvents.
-  void asked(int found, uint32_t by) {
-    _found = static_cast<uint16_t>(found > 0 ? found : 0);
-    _by = by;
+  void polled(int found, uint32_t time) {
+    _pollFound = static_cast<uint16_t>(found > 0 ? found : 0);
+    _pollTime = time;
   }
 
-  uint16_t found() const { return _found; }  ///< Returns how many bytes the newest poll has found.
-  uint32_t by() const { return _by; }        ///< Returns the time by which these had come, us.
+  uint16_t pollFound() const { return _pollFound; }  ///< Returns how many bytes the newest poll has found.
+  uint32_t pollTime() const { return _pollTime; }    ///< Returns the time by which these had come, us.
 
  private:
   static constexpr uint16_t Unsure = UINT16_MAX;
@@ -118,8 +118,8 @@ class Answers : public Telemetry {
   SlotData _planned[SlotsOfGroup];  // of the moment of the plan
   uint32_t _end = 0;                // us: estimated end of the newest frame
   uint16_t _spread = Unsure;        // us: uncertainty of _end
-  uint16_t _found = 0;
-  uint32_t _by = 0;
+  uint16_t _pollFound = 0;
+  uint32_t _pollTime = 0;
   bool _hasEcho = false;  // RX has heard TX
   uint32_t _due = 0;
   uint32_t _sent = 0;
