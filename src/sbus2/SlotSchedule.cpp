@@ -144,9 +144,6 @@ void SlotSchedule::plan(uint32_t earliest, uint32_t latest, uint32_t gap) {
   _spread = static_cast<uint16_t>(apart / 2 < Unsure ? apart / 2 : Unsure);
   const uint8_t planned = apart <= MostOff ? static_cast<uint8_t>(wanted & throughBy(gap)) : uint8_t{0};
   _skipped += countOf(static_cast<uint8_t>(wanted & ~planned));
-  if (planned == 0) {
-    return;
-  }
   memcpy(_planned, _own[_front].data + _group, sizeof _planned);
   _slack = static_cast<uint8_t>(MostOff - apart / 2);
   _due = earliest + apart / 2 + FirstSlotTime;

@@ -90,9 +90,6 @@ bool Telemetry::takeEcho(uint8_t slot, SlotData &data) {
 }
 
 void Telemetry::discarded(const uint8_t *bytes, int count) {
-  if (_count == Lost) {
-    return;
-  }
   const int room = static_cast<int>(sizeof _characters) - _count;
   if (room > 0) {
     memcpy(_characters + _count, bytes, static_cast<size_t>(count < room ? count : room));

@@ -187,19 +187,26 @@ TEST_CASE(
     const char *what;
     std::vector<uint8_t> back;
     unsigned collisions;
-    bool hasSlot1;
+    bool hasSlot1, wasHeard;
   } rows[] = {
-      {"its own", {own, own + 3}, 0, false},
-      {"nothing: RX does not hear TX", {}, 0, false},
-      {"other data", {others, others + 3}, 1, false},
-      {"less", {torn, torn + 2}, 1, false},
-      {"a sensor's and its own", {both, both + 6}, 0, true},
+      {"its own", {own, own + 3}, 0, false, false},
+      {"nothing: RX does not hear TX", {}, 0, false, false},
+      {"nothing: the answer was destroyed", {}, 1, false, true},
+      {"other data", {others, others + 3}, 1, false, false},
+      {"less", {torn, torn + 2}, 1, false, false},
+      {"a sensor's and its own", {both, both + 6}, 0, true, false},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
     SlotSchedule answers;
     answers.begin();
     write(answers, 2, 1);
+    if (row.wasHeard) {
+      frame(answers, 0x04, 0, 0);
+      sent(answers);
+      answers.discarded(own, 3);
+      take(answers, 0x14);
+    }
     frame(answers, 0x04, 0, 0);
     sent(answers);
     if (!row.back.empty()) {
@@ -234,6 +241,8 @@ TEST_CASE("an answer that the port could not send counts as skipped, and its ech
     CHECK(answers.skipped() == unsent - 1);
     take(answers, 0x14);
     CHECK(answers.collisions() == 0);
+    SlotData data;
+    CHECK(!answers.read(2, 1, &data));
   }
 }
 

@@ -163,6 +163,29 @@ TEST_CASE("after a line was cut, a value from before it is not read, or its age 
   }
 }
 
+TEST_CASE("while frames are missing, the age goes on") {
+  for (const uint8_t slot : {uint8_t{1}, uint8_t{8}, uint8_t{31}}) {
+    for (unsigned lost = 0; lost < 4; lost++) {
+      CAPTURE(lost);
+      sbus::Telemetry telemetry;
+      telemetry.begin();
+      const auto take = [&](unsigned frame, uint32_t us) {
+        telemetry.interval(us);
+        telemetry.taken(plainFrame(0, static_cast<uint8_t>(frame % 4 << 4 | 4)).data());
+      };
+      unsigned frame = slot / sbus::SlotsOfGroup;
+      take(frame, PeriodUs);
+      telemetry.discarded((Bytes{sbus::slotId(slot), 0x80, 0x38}).data(), 3);
+      take(++frame, PeriodUs);
+      take(frame + 1 + lost, (1 + lost) * PeriodUs);
+      sbus::SlotData data;
+      sbus::Trust trust = {};
+      REQUIRE(telemetry.read(slot, 1, &data, trust));
+      CHECK(trust.age == 15 * (2 + lost));
+    }
+  }
+}
+
 TEST_CASE("an age above 65535 ms is told as 65535") {
   Sketch sketch(1000);
   sketch.sbus.setTimeout(0);
