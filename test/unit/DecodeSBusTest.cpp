@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <random>
 
 #include "support/FakeBoard.h"
 #include "support/KnownFrames.h"
@@ -290,4 +291,43 @@ TEST_CASE("a read that fails although bytes wait ends the poll") {
   board.port.readFails = true;
   board.take(Bytes(40, 0xA5));
   CHECK(board.sbus.counters().frames == 0);
+}
+
+TEST_CASE("an interrupt before the port is asked, while characters come, costs no frame and makes none wrong") {
+  // Any Stream; each `available()` may be held up by an interrupt, in which the clock and the line go on.
+  struct Delayed : Stream {
+    std::minstd_rand random{7};
+    uint64_t startUs = fakeMicros;
+    size_t bytesRead = 0;
+
+    static uint8_t byteOf(size_t index) { return plainFrame(static_cast<unsigned>(index / 25 % 200))[index % 25]; }
+    uint64_t endOf(size_t index) const { return startUs + index / 25 * 9000 + (index % 25 + 1) * 120; }
+    int available() override {
+      fakeMicros += random() % 2 == 0 ? random() % 1000 : 0;
+      int count = 0;
+      while (endOf(bytesRead + static_cast<size_t>(count)) <= fakeMicros) {
+        count++;
+      }
+      return count;
+    }
+    int read() override { return endOf(bytesRead) <= fakeMicros ? byteOf(bytesRead++) : -1; }
+    int peek() override { return -1; }
+    void flush() override {}
+    size_t write(uint8_t) override { return 0; }
+  };
+  Delayed port;
+  DecodeSBus sbus(port);
+  sbus.listen();
+  SBusFrame frame;
+  unsigned frames = 0, wrong = 0;
+  while (port.bytesRead < 2000 * 25) {
+    fakeMicros += 50;
+    if (sbus.read(frame)) {
+      const size_t newest = (port.bytesRead - 1) / 25;
+      wrong += frame.channels[0] != readBitByBit(plainFrame(static_cast<unsigned>(newest % 200)))[0];
+      frames++;
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(frames == 2000);
 }
