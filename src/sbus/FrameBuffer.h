@@ -105,7 +105,7 @@ class FrameBuffer {
   const uint8_t *newest() const { return _newest; }
 
  private:
-  static constexpr int Pad = 3;  // bytes before a frame: they align its payload to a word
+  static constexpr int Pad = 3;    // bytes before a frame: they align its payload to a word
   static constexpr int Spare = 2;  // these and the five members before them double as padding for the first place
   // A frame, its tail, and the characters after it that are judged; rounded so that the other payload is aligned as
   // well.

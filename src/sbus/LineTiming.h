@@ -160,7 +160,7 @@ class LineTiming {
 
   // Some senders stretch a frame: 240 us from one character to the next, or silences of half a millisecond
   // (extras/docs/receiver.md).
-  static constexpr unsigned MostStretched = 2;    // characters' time for each
+  static constexpr unsigned MostStretched = 2;  // characters' time for each
 
   // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
@@ -218,12 +218,12 @@ class LineTiming {
     return isLong(interval - period) ? Silence::Long : gap;
   }
 
-  uint8_t _characterTime;  // us
-  uint8_t _idleCharacters;  // 0: the port hands over each character at once
-  uint16_t _shortestInterval;    // us between polls; HasEmptyPolls: not needed, as some polls were empty
-  uint32_t _pollBefore;  // us
-  uint32_t _lastPoll;    // us
-  uint32_t _lastBytes;   // us: the last poll that found bytes, at most HalfClock before the last poll
+  uint8_t _characterTime;      // us
+  uint8_t _idleCharacters;     // 0: the port hands over each character at once
+  uint16_t _shortestInterval;  // us between polls; HasEmptyPolls: not needed, as some polls were empty
+  uint32_t _pollBefore;        // us
+  uint32_t _lastPoll;          // us
+  uint32_t _lastBytes;         // us: the last poll that found bytes, at most HalfClock before the last poll
 };
 
 }  // namespace sbus
