@@ -197,12 +197,9 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 /// character 2F directly before a frame would swallow that frame. The line's variant must be known, and a header or a
 /// gap must follow.
 template <typename Format>
-SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, FrameSizeCheck<Format> &sizeCheck) {
+SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c) {
   const bool isPlaced = c.distance == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
   if (!isPlaced || !c.hasLineVariant()) {
-    if (isPlaced) {
-      sizeCheck.forget();  // the first frame may follow without a gap
-    }
     return Verdict::reject(Rejection::NotAtGap);
   }
   if (c.gapAt == Format::Size || (c.count > Format::Size && isHeaderNext(c))) {
@@ -243,7 +240,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, FrameSizeCheck<Format> &s
     return judgeStretched(c, sizeCheck);
   }
   if (Format::HasExtra && c.bytes[0] == ExtraHeader) {
-    return judgeExtra(c, sizeCheck);
+    return judgeExtra(c);
   }
   // It must end at a gap, before a header, or as the line's frames end.
   const bool isGapAfter = c.isGapAfter();
