@@ -167,8 +167,7 @@ $(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Tic
   $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
-$(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
-  $(OUT)/Main.o $(SBUS)
+$(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/TasksSketch.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PpmOutTest: $(OUT)/Uart.o $(OUT)/$1/PpmOutTest.o $(if $(filter pico,$1),$(OUT)/$1/PicoAlarms.o) \
   $(OUT)/$1/PpmOutSketch.o $(OUT)/Main.o $(SBUS)
@@ -181,7 +180,7 @@ $(OUT)/$1/JoystickTest: $(OUT)/Uart.o $(OUT)/$1/JoystickTest.o $(OUT)/Main.o $(S
 $(OUT)/$1/JoystickTest.o: $(HERE)/JoystickTest.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$($1_usb) -I$(HERE)/usb $$(DEPENDENCIES) -c $$< -o $$@
-$(addprefix $(OUT)/$1/,PicoAlarms.o Ticks.o Tasks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
+$(addprefix $(OUT)/$1/,PicoAlarms.o Ticks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk
