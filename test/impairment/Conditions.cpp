@@ -4,11 +4,7 @@
 #include <initializer_list>
 #include <iterator>
 
-#include "Company.h"
-#include "Joins.h"
-#include "LateCalls.h"
 #include "Runs.h"
-#include "Senders.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "LateCalls.h"
+#include "Conditions.h"
 
 #include "Runs.h"
 
