@@ -37,8 +37,6 @@ const std::vector<Condition> &companyLines();
 // ... a receiver that is plugged in, or begins to listen, while frames come: does it join parts of two? Each line is one
 // join, with 30 frames that allow a false sync at any place; ...
 const std::vector<Condition> &joinLines();
-// ... a port that calls back, but late, since other work holds the level of its calls; ...
-const std::vector<Condition> &lateCallLines();
 // ... senders that are not exact: frames that are spread or interrupted, noise before them, another receiver in mid frame.
 const std::vector<Condition> &senderLines();
 
