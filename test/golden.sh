@@ -109,6 +109,11 @@ silence() {
 silence '120 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00' 'ends before this sketch prints'
 silence '120 E5 03 1F' 'has no frame'
 
+python3 -c 'import os, pty, subprocess, sys
+subprocess.run([sys.argv[1], "--source", os.ttyname(pty.openpty()[1]), "--seconds", "3.1"])' "$build/DecodeSBus" 2>"$build/err" </dev/null &&
+  [ "$(grep -c '^no bytes from /dev/.* yet[.] Is it the right port' "$build/err")" -eq 1 ]
+verdict $? "a port that brings nothing: where to look"
+
 mkdir -p "$build/verdicts"
 verdicts/lines.sh "$build/verdicts"
 grep -v '^#' verdicts/LINES >"$build/lines"

@@ -19,14 +19,10 @@ void print() {
       "are subtracted, and its calls are counted instead: on a board they cost more than in memory.\n\n",
       __VERSION__);
   printFrames();
-  printBadLines();
-  printValues();
 }
 
 void check() {
   checkFrames();
-  checkValues();
-  checkBadLines();
   checkLongestCall();
 }
 

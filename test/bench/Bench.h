@@ -14,12 +14,5 @@ void atMost(const std::string &what, uint32_t found, uint32_t most);
 void printFrames();
 void checkFrames();
 
-// Lines that cost a receiver more than a line without faults.
-void printBadLines();
-void checkBadLines();
-
 void printLongestCall();
 void checkLongestCall();
-
-void printValues();
-void checkValues();

@@ -27,14 +27,6 @@ int MemorySerial::read(uint8_t *buffer, size_t size) {
   return static_cast<int>(count);
 }
 
-size_t MemorySerial::write(const uint8_t *, size_t size) {
-  return size;
-}
-
-int MemorySerial::availableForWrite() {
-  return 64;
-}
-
 void Ours::parse() {
   receiver.parseSBusFrame();
 }

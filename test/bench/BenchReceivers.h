@@ -36,8 +36,6 @@ class MemorySerial : public HardwareSerial {
   int read(uint8_t *buffer, size_t size) override;
   void flush() override {}
   size_t write(uint8_t) override { return 0; }
-  size_t write(const uint8_t *bytes, size_t size) override;  // all are sent at once, and gone
-  int availableForWrite() override;
   operator bool() override { return true; }
 
  private:

@@ -6,7 +6,6 @@ uint32_t available;
 uint32_t singleRead;
 uint32_t read;
 uint32_t perByte;
-uint32_t sending;
 
 uint8_t buffer[64];
 
@@ -31,8 +30,6 @@ bool calibrate() {
   const uint32_t none = instructions::of([&] { nothing(port, buffer, 25); }) - 1;
   available = instructions::of([&] { port.available(); }) - none;
   singleRead = instructions::of([&] { port.read(); }) - none;
-  sending = instructions::of([&] { port.availableForWrite(); }) - none;
-  sending += instructions::of([&] { port.write(buffer, 25); }) - none;
   read = ownOfReading(0);
   perByte = ownOfReading(1) - read;
   return instructions::calibrated() && ownOfReading(63) == read + 63 * perByte;
@@ -40,8 +37,4 @@ bool calibrate() {
 
 uint32_t portsOwn(const MemorySerial::Calls &calls) {
   return available * calls.available + singleRead * calls.singleReads + read * calls.reads + perByte * calls.bytes;
-}
-
-uint32_t portsOwnOfSending() {
-  return sending;
 }

@@ -20,7 +20,7 @@ INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/ardu
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
 MEASURED := BenchReceivers
-PARTS := Attack BadLines Bench Cost FrameCosts LongestCall Values
+PARTS := Bench Cost FrameCosts LongestCall
 
 bench: $(OUT)/Bench
 .PHONY: bench

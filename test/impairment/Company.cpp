@@ -1,4 +1,4 @@
-#include "Company.h"
+#include "Conditions.h"
 
 #include "Runs.h"
 

@@ -1,4 +1,4 @@
-#include "Joins.h"
+#include "Conditions.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "Senders.h"
+#include "Conditions.h"
 
 #include <algorithm>
 

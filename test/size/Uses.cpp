@@ -10,14 +10,8 @@ DecodeSBus receiver(Serial1);
 #elif defined(USE_ENCODER)
 #include <EncodeSBus.h>
 EncodeSBus sender(Serial1);
-#elif defined(USE_UNPACK) || defined(USE_PACK)
-#include <sbus/Frame.h>
-#elif defined(USE_MICROSECONDS) || defined(USE_NORMALISED) || defined(USE_BACK) || defined(USE_UNIT)
+#elif defined(USE_NORMALISED)
 #include <sbus/Scaling.h>
-extern float *unit;
-#elif defined(USE_STORED)
-#include <sbus/Calibration.h>
-sbus::Calibration calibration;
 #elif defined(USE_CALIBRATOR)
 #include <sbus/Calibrator.h>
 sbus::Calibrator calibrator;
@@ -60,21 +54,8 @@ void loop() {
   channels[2] = static_cast<uint16_t>(receiver.counters().resyncs);
 #elif defined(USE_ENCODER)
   flags[0] = sender.write(channels, flags[0], flags[1]);
-#elif defined(USE_UNPACK)
-  sbus::unpack(frame, channels);
-#elif defined(USE_PACK)
-  sbus::pack(frame, channels, flags[0], flags[1]);
-#elif defined(USE_MICROSECONDS)
-  channels[0] = static_cast<uint16_t>(sbus::toMicroseconds(channels[1], sbus::FrSky));
 #elif defined(USE_NORMALISED)
   channels[0] = static_cast<uint16_t>(sbus::toNormalised(channels[1], sbus::FrSky));
-#elif defined(USE_BACK)
-  channels[0] = sbus::fromNormalised(static_cast<int16_t>(channels[1]), sbus::FrSky);
-#elif defined(USE_UNIT)
-  unit[0] = sbus::toUnit(channels[1], sbus::FrSky);
-#elif defined(USE_STORED)
-  flags[0] = stateOf(calibration) == sbus::StoredState::Good;
-  channels[0] = static_cast<uint16_t>(calibration.channels[frame[0]].toNormalised(channels[1]));
 #elif defined(USE_CALIBRATOR)
   calibrator.begin();
   calibrator.feed(channels, flags[0], flags[1]);

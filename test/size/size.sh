@@ -90,13 +90,7 @@ piece PAPERS "the baseline: begin, parse"
 piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk"
 piece ALL_OF_DECODER "\`DecodeSBus\`, all methods"
 piece ENCODER "\`EncodeSBus\`: begin, write"
-piece UNPACK "\`sbus::unpack()\` alone"
-piece PACK "\`sbus::pack()\` alone"
-piece MICROSECONDS "\`sbus::toMicroseconds()\` alone, with the compiler's division" -lgcc
-piece NORMALISED "\`sbus::toNormalised()\` alone, with the division" -lgcc
-piece BACK "\`sbus::fromNormalised()\` alone, with the division" -lgcc
-piece UNIT "\`sbus::toUnit()\` alone, with the compiler's floating point" "-lm -lgcc"
-piece STORED "a stored calibration: \`stateOf()\`, \`toNormalised()\`, the struct"
+piece NORMALISED "\`sbus::toNormalised()\` alone, with the compiler's division" -lgcc
 piece CALIBRATOR "\`sbus::Calibrator\`, all but \`text()\`, and the struct"
 for sketch in ../../examples/*/; do
   example "$(basename "$sketch")"

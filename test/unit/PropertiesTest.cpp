@@ -1,5 +1,5 @@
 // Properties of all input: RapidCheck's random values, compared with the plain implementations of test/support. Those
-// of any bytes are in fuzz/FrameFinderFuzz.cpp, those of a calibration's steps in fuzz/CalibrationFuzz.cpp.
+// of any bytes are in fuzz/FrameFinderFuzz.cpp.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <thread>
 
 namespace host {
 
@@ -13,10 +14,17 @@ class Clock {
  public:
   enum class Pace { Simulated, Real };
 
-  explicit Clock(Pace pace = Pace::Simulated, uint32_t startMs = 0);
+  explicit Clock(Pace pace = Pace::Simulated, uint32_t startMs = 0)
+      : _pace(pace), _startUs(uint64_t{startMs} * 1000) {}
 
   // Advances the time by `us`.
-  void spend(uint64_t us);
+  void spend(uint64_t us) {
+    _nowUs += us;
+    if (_pace == Pace::Real && _nowUs >= _nextSleepUs) {
+      std::this_thread::sleep_until(_start + std::chrono::microseconds(_nowUs));
+      _nextSleepUs = _nowUs + SleepUs;
+    }
+  }
 
   // Returns the time since the program's start.
   uint64_t nowUs() const { return _nowUs; }
@@ -26,6 +34,8 @@ class Clock {
   uint32_t micros() const { return static_cast<uint32_t>(_startUs + _nowUs); }
 
  private:
+  static constexpr uint64_t SleepUs = 1000;  // sleeping more often costs CPU time and makes nothing visibly smoother
+
   Pace _pace;
   uint64_t _startUs;
   uint64_t _nowUs = 0;

@@ -26,7 +26,9 @@ size_t SketchOutput::write(const uint8_t *bytes, size_t size) {
     _lostBeforeBegin += size;
     return 0;
   }
-  _columns.put(bytes, size);
+  for (size_t i = 0; i < size; i++) {
+    _lines += _rows.put(bytes[i]);
+  }
   if (std::fwrite(bytes, 1, size, stdout) != size) {
     leave();
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "CsvColumns.h"
 #include "line/ports/PseudoTerminal.h"
+#include "line/recording/CsvRows.h"
 
 namespace host {
 
@@ -24,14 +24,15 @@ class SketchOutput {
 
   void flush();
 
-  const CsvColumns &columns() const { return _columns; }
+  unsigned long lines() const { return _lines; }
   unsigned long lostBeforeBegin() const { return _lostBeforeBegin; }
 
  private:
   bool _begun = false;
   bool _lineByLine = false;
   unsigned long _lostBeforeBegin = 0;
-  CsvColumns _columns;
+  line::CsvRows _rows;
+  unsigned long _lines = 0;
   std::unique_ptr<line::PseudoTerminal> _terminal;
   std::string _terminalLine;  // not yet written to the terminal
 };

@@ -1,4 +1,4 @@
-#include "MakeLine.h"
+#include "Options.h"
 
 #include <cstdio>
 #include <utility>

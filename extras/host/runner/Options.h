@@ -1,13 +1,16 @@
-// The command line.
+// The command line, and what is made of it: the line before the run, and the report after it.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "line/Source.h"
 
 namespace host {
+
+class Board;
 
 // A wire from the TX pin of port `from` to the RX pin of port `to`.
 struct WireOption {
@@ -38,5 +41,12 @@ struct Options {
 
 // Reads the command line. Ends the program if it is wrong or asks for help.
 Options parseOptions(int argc, char **argv);
+
+// Opens the line for the board's port, and prints its name to standard error; a silent line if the options have none. Throws
+// std::runtime_error.
+std::unique_ptr<line::Line> makeLine(const Options &options);
+
+// Prints the report at the end, on standard error.
+void printReport(Board &board, const Options &options);
 
 }  // namespace host

@@ -1,7 +1,9 @@
-#include "RunReport.h"
+#include "Options.h"
 
 #include <algorithm>
 #include <cstdio>
+
+#include "board/Board.h"
 
 namespace host {
 
@@ -143,26 +145,17 @@ void reportOutput(const SketchOutput &output) {
     std::fprintf(stderr, "the sketch printed %lu bytes before Serial.begin(): they are lost\n",
                  output.lostBeforeBegin());
   }
-  std::fprintf(stderr, "the sketch printed %lu lines", output.columns().lines());
-  unsigned number = 0;
-  for (const CsvColumns::Range &range : output.columns().columns()) {
-    number++;
-    if (range.any) {
-      std::fprintf(stderr, "%s %u: %s..%s", number == 1 ? "; columns" : ",", number, range.lowText.c_str(),
-                   range.highText.c_str());
-    }
-  }
-  std::fputc('\n', stderr);
+  std::fprintf(stderr, "the sketch printed %lu lines\n", output.lines());
 }
 
 // Prints why a recording has brought no output: most sketches print a few times a second, and only while frames come.
 void reportSilence(Board &board, const Options &options) {
   constexpr uint64_t ShortUs = 1000000;
-  if (options.source.isSimulated() || options.on == 0 || board.output().columns().lines() > 0) {
+  if (options.source.isSimulated() || options.on == 0 || board.output().lines() > 0) {
     return;
   }
   if (board.port(options.on).observer().counters().frames == 0) {
-    std::fprintf(stderr, "the recording has no frame; SKETCH=examples/Diagnose says what is wrong with a line\n");
+    std::fprintf(stderr, "the line has no frame; SKETCH=examples/Diagnose says what is wrong with a line\n");
   } else if (board.clock().nowUs() < ShortUs) {
     std::fprintf(stderr,
                  "the recording ends before this sketch prints: the examples print every 0.2 s, and only while frames "

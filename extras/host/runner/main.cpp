@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -14,13 +13,10 @@
 #include <thread>
 #include <utility>
 
-#include "MakeLine.h"
 #include "Options.h"
-#include "RunReport.h"
 #include "Uart.h"
 #include "UsbSerial.h"
 #include "board/Board.h"
-#include "board/PortWatch.h"
 
 void setup();
 void loop();
@@ -34,6 +30,8 @@ void serialEvent3() __attribute__((weak));
 namespace {
 
 using namespace host;
+
+constexpr uint64_t HintUs = 3000000;  // after the start
 
 volatile std::sig_atomic_t stopRequested = 0;
 
@@ -158,6 +156,19 @@ void connectWires(Board &board, const Options &options) {
   }
 }
 
+// Says what may be wrong if a real port has brought no frames.
+void hint(const line::Observer &observer, const std::string &port) {
+  if (observer.characters() == 0) {
+    std::fprintf(stderr,
+                 "no bytes from %s yet. Is it the right port, the receiver powered and bound, S-BUS_OUT at RXD, GND at "
+                 "GND?\n",
+                 port.c_str());
+  } else if (observer.counters().frames == 0) {
+    std::fprintf(stderr, "no frames in the bytes from %s yet. Is the adapter's RXD inverted? See extras/docs/ftdi.md\n",
+                 port.c_str());
+  }
+}
+
 [[noreturn]] void run(const Options &options) {
   Board &board = Board::instance();
   prepareFiles(board, options);
@@ -172,11 +183,11 @@ void connectWires(Board &board, const Options &options) {
     board.port(options.on).attach(*line, options.source.settings);
   }
   Ending ending(options, *line);
-  PortWatch watch(options.port, board.port(std::max(options.on, 1)).observer());
-  board.onTime([&ending, &watch](uint64_t nowUs) {
-    const std::string warning = watch.check(nowUs);
-    if (!warning.empty()) {
-      std::fprintf(stderr, "%s\n", warning.c_str());
+  uint64_t hintUs = options.port.empty() ? UINT64_MAX : HintUs;
+  board.onTime([&](uint64_t nowUs) {
+    if (nowUs >= hintUs) {
+      hintUs = UINT64_MAX;
+      hint(board.port(options.on).observer(), options.port);
     }
     ending.check(nowUs);
   });

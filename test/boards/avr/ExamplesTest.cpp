@@ -11,7 +11,6 @@
 
 #include "AvrBoard.h"
 #include "Expected.h"
-#include "Lines.h"
 
 using namespace avr;
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "line/Source.h"
 #include "sbus/Scaling.h"
 
 namespace avr {
@@ -45,6 +46,19 @@ bool same(const Numbers &left, const Numbers &right, double tolerance) {
 }
 
 }  // namespace
+
+Line lineOf(const std::string &name) {
+  line::Source source;
+  source.silent = name == "silent";
+  source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
+  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
+    source.name = "../../recordings/" + name + ".txt";
+  }
+  Line line;
+  line.source = name == "wire" ? nullptr : source.open();
+  line.cutUs = name == "cut" ? 2000000 : line.cutUs;
+  return line;
+}
 
 Numbers decodeSBus(const SeenFrame &frame) {
   Numbers numbers = allChannels(frame);

@@ -14,6 +14,10 @@
 
 namespace avr {
 
+// Returns a line. "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "silent";
+// "wire": from TX1; otherwise a recording.
+Line lineOf(const std::string &name);
+
 // A frame of the line, read bit by bit: the library has no part in it.
 struct SeenFrame {
   uint64_t us;  // when it is complete

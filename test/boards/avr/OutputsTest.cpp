@@ -6,7 +6,6 @@
 
 #include "AvrBoard.h"
 #include "Expected.h"
-#include "Lines.h"
 #include "sbus/Scaling.h"
 
 using namespace avr;

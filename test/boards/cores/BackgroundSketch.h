@@ -5,11 +5,6 @@
 
 #include "Cores.h"
 #include "support/KnownFrames.h"
-#if defined(ARDUINO_ARCH_RP2040)
-#include "PicoAlarms.h"
-#elif !defined(ESP32)
-#include "Ticks.h"
-#endif
 
 using namespace cores;
 

@@ -2,10 +2,9 @@
 #include <map>
 
 #include "Cores.h"
-#include "usb/Sent.h"
+#include "Usb.h"
 
 #if defined(CORE_TEENSY) || defined(ARDUINO_ARCH_RP2040)
-#include "usb/Joystick.h"
 StandInJoystick Joystick;
 #endif
 

@@ -1,5 +1,4 @@
-#include "PicoAlarms.h"
-
+// The alarms of the pico-sdk, World's alarm.
 #include <hardware/irq.h>
 #include <hardware/sync.h>
 #include <hardware/timer.h>

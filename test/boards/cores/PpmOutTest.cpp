@@ -3,9 +3,6 @@
 
 #include "Cores.h"
 #include "sbus/Scaling.h"
-#if defined(ARDUINO_ARCH_RP2040)
-#include "PicoAlarms.h"
-#endif
 
 decltype(Serial1) Serial1, Serial2;
 Console Serial;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "Cores.h"
-#include "Ticks.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 #include "support/SingleStep.h"

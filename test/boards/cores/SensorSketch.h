@@ -4,9 +4,6 @@
 #include <SBus2Sensor.h>
 
 #include "Cores.h"
-#if defined(ARDUINO_ARCH_RP2040)
-#include "PicoAlarms.h"
-#endif
 #include "line/simulation/SimulatedBus.h"
 
 namespace cores {

@@ -1,5 +1,4 @@
-#include "Ticks.h"
-
+// What calls each millisecond on a Teensy and a SAMD: World's alarm.
 #include <Arduino.h>
 
 #include "World.h"

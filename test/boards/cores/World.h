@@ -101,4 +101,25 @@ struct World {
 
 extern World world;
 
+// The alarms of the pico-sdk's microsecond timer, and the core that runs.
+struct Alarms {
+  static constexpr unsigned Count = 4;
+  unsigned claimed = 8;                                 // bits; 3 is the default pool's (pico_time/time.c:84)
+  unsigned priority[Count] = {0x80, 0x80, 0x80, 0x80};  // of their interrupts
+  void (*callback[Count])(unsigned) = {};
+  unsigned core = 0;
+};
+extern Alarms alarms;
+
+// What calls each millisecond: on a Teensy an IntervalTimer, on a SAMD SysTick, which asks for PendSV.
+struct Ticks {
+  unsigned free = 4;       // IntervalTimers of a Teensy
+  bool isPending = false;  // a SAMD's PendSV
+  unsigned priority = 0;   // PendSV's, after a reset
+};
+extern Ticks ticks;
+
+// Switches the board on.
+void startTicks();
+
 }  // namespace sim

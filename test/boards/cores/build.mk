@@ -139,12 +139,13 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 name = $(shell [ -e $(OUT)/names/$1 ] || { mkdir -p $(dir $(OUT)/names/$1) && echo '$(hash)include "$2"' >$(OUT)/names/$1; })
 $(foreach header,esp_attr.h esp_timer.h freertos/FreeRTOS.h freertos/semphr.h hal/uart_ll.h,$(call name,esp32/$(header),EspIdf.h))
 $(foreach header,hardware/irq.h hardware/sync.h hardware/timer.h pico.h,$(call name,pico/$(header),PicoSdk.h))
+$(foreach header,HID.h Joystick.h USB.h USBHID.h,$(call name,usb/$(header),Usb.h))
 $(call name,esp32/ESP32Servo.h,$(HOST)/arduino/Servo.h)
 
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(OUT)/names/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(OUT)/names/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
+$1_core = $(if $(filter stm32l0%,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(OUT)/names/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(OUT)/names/pico -I$(OUT)/names/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/README.o \
@@ -167,8 +168,7 @@ $(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Tic
   $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
-$(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
-  $(OUT)/Main.o $(SBUS)
+$(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/TasksSketch.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PpmOutTest: $(OUT)/Uart.o $(OUT)/$1/PpmOutTest.o $(if $(filter pico,$1),$(OUT)/$1/PicoAlarms.o) \
   $(OUT)/$1/PpmOutSketch.o $(OUT)/Main.o $(SBUS)
@@ -180,8 +180,8 @@ $(OUT)/$1/JoystickTest: $(OUT)/Uart.o $(OUT)/$1/JoystickTest.o $(OUT)/Main.o $(S
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/JoystickTest.o: $(HERE)/JoystickTest.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
-	$(CXX) $(TEST) $$($1_core) $$($1_usb) -I$(HERE)/usb $$(DEPENDENCIES) -c $$< -o $$@
-$(addprefix $(OUT)/$1/,PicoAlarms.o Ticks.o Tasks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
+	$(CXX) $(TEST) $$($1_core) $$($1_usb) -I$(OUT)/names/usb $$(DEPENDENCIES) -c $$< -o $$@
+$(addprefix $(OUT)/$1/,PicoAlarms.o Ticks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk
