@@ -1,6 +1,7 @@
 #include "line/capture/CsvLayout.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "line/capture/Capture.h"
@@ -59,16 +60,20 @@ bool isNumber(std::string_view field) {
   return parseNumber(field, value);
 }
 
-// Rigol DS1000Z writes eight digital probes as 0x00 beside the voltages.
-bool arePods(std::string_view field) {
-  return field.size() > 2 && field.substr(0, 2) == "0x" && field.find_first_not_of("0123456789abcdefABCDEF", 2) == field.npos;
+// Returns the lowest of the eight probes in Rigol's columns "D7-D0" and "D15-D8", or -1. It is bit 0.
+int podOf(std::string_view title) {
+  const size_t hyphen = title.find("-D");
+  int high = 0, low = 0;
+  const bool isPod = hyphen != title.npos && title.front() == 'D' && parseWhole(title.substr(1, hyphen - 1), high) &&
+                     parseWhole(title.substr(hyphen + 2), low) && high == low + 7;
+  return isPod ? low : -1;
 }
 
 bool isValue(std::string_view field) {
   const char *at = field.data();
   double volts;
   int64_t ns;
-  return field.empty() || isLogic(field) || arePods(field) || parseTimestamp(field, ns) ||
+  return field.empty() || isLogic(field) || parseTimestamp(field, ns) ||
          (takeVoltage(at, field.data() + field.size(), volts) && at == field.data() + field.size());
 }
 
@@ -231,18 +236,22 @@ bool grows(const std::vector<Fields> &rows, size_t column, bool counts) {
   return rows.size() > 2;
 }
 
-std::vector<std::string> namesOf(const Header &header, const std::vector<size_t> &columns) {
-  std::vector<std::string> names;
-  for (size_t i = 0; i < columns.size(); i++) {
-    std::string name = header.names.size() == columns.size() ? header.names[i]
-                       : columns[i] < header.titles.size()   ? header.titles[columns[i]]
+std::vector<CsvSignal> signalsOf(const Header &header, const std::vector<size_t> &columns) {
+  std::vector<CsvSignal> signals;
+  for (const size_t column : columns) {
+    std::string name = header.names.size() == columns.size() ? header.names[signals.size()]
+                       : column < header.titles.size()       ? header.titles[column]
                                                              : "";
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) {
-      name = std::to_string(columns[i] + 1);
+    const int probe = podOf(name);
+    for (int bit = 0; bit < 8 && probe >= 0; bit++) {
+      signals.push_back({"D" + std::to_string(probe + bit), column, bit});
     }
-    names.push_back(name);
+    const bool isTaken = std::any_of(signals.begin(), signals.end(), [&name](const CsvSignal &each) { return each.name == name; });
+    if (probe < 0) {
+      signals.push_back({name.empty() || isTaken ? std::to_string(column + 1) : name, column});
+    }
   }
-  return names;
+  return signals;
 }
 
 // sigrok counts whole units from sample to sample, and drops the rest: 41 ns at 24 MHz. The unit is a second divided by
@@ -258,9 +267,9 @@ double sigrokUnitNs(double periodNs) {
 
 // Finds the columns of the times and of the signals. Returns true if a column counts the rows.
 bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayout &layout) {
-  std::vector<size_t> &columns = layout.columns;
+  std::vector<size_t> columns;
   for (size_t i = 0; i < rows.front().size(); i++) {
-    if (!rows.front()[i].empty() && !arePods(rows.front()[i])) {
+    if (!rows.front()[i].empty()) {
       columns.push_back(i);
     }
   }
@@ -280,6 +289,7 @@ bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayou
     layout.time.unitNs = isSigrok ? sigrokUnitNs(header.periodNs) : unitOf(title(0));
     columns.erase(columns.begin());
   }
+  layout.signals = signalsOf(header, columns);
   return isCounted;
 }
 
@@ -316,6 +326,13 @@ void splitRow(std::string_view row, char separator, Fields &fields) {
 }
 
 bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark) {
+  unsigned probes = 0;
+  const auto hex = std::from_chars(at + std::min<ptrdiff_t>(2, end - at), end, probes, 16);
+  if (end - at > 2 && at[0] == '0' && at[1] == 'x' && hex.ec == std::errc()) {
+    at = hex.ptr;
+    volts = probes;
+    return true;
+  }
   if (takeNumber(at, end, volts, decimalMark)) {
     return true;
   }
@@ -367,8 +384,9 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
   layout.analogue = std::any_of(rows.begin(), rows.end(), [&](const Fields &row) {
-    return std::any_of(layout.columns.begin(), layout.columns.end(),
-                       [&](size_t i) { return i < row.size() && !row[i].empty() && !isLogic(row[i]); });
+    return std::any_of(layout.signals.begin(), layout.signals.end(), [&](const CsvSignal &each) {
+      return each.column < row.size() && !row[each.column].empty() && !isLogic(row[each.column]);
+    });
   });
   double begin, end;
   if (time.column != TimeColumn::None && (layout.analogue || isCounted) && rows.size() > 1 &&
@@ -377,7 +395,6 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     layout.startNs = end < begin ? -begin : begin;  // OWON's times go back, its samples do not
     time.column = isCounted ? TimeColumn::None : time.column;
   }
-  layout.names = namesOf(header, layout.columns);
   layout.name = !header.program.empty() ? header.program + " CSV"
                 : layout.analogue       ? OscilloscopeFormat
                                         : "logic analyser's CSV";

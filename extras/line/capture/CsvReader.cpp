@@ -9,6 +9,12 @@ namespace line {
 
 namespace {
 
+// Returns the level of a probe, 0 or 1; NaN if the number does not hold eight.
+double bitOf(double probes, int bit) {
+  const bool isWord = probes >= 0 && probes <= UINT8_MAX;
+  return isWord ? static_cast<double>(static_cast<unsigned>(probes) >> bit & 1) : NAN;
+}
+
 bool isSkipped(std::string_view row) {
   return row.empty() || row.front() == ';' || row.front() == '#';
 }
@@ -17,7 +23,11 @@ bool isSkipped(std::string_view row) {
 
 CsvReader::CsvReader(CsvLayout layout, LevelSink &sink) : CaptureReader(sink), _layout(std::move(layout)) {
   _periodNs = _layout.periodNs;
-  _sink.signals(_layout.names);
+  std::vector<std::string> names;
+  for (const CsvSignal &signal : _layout.signals) {
+    names.push_back(signal.name);
+  }
+  _sink.signals(names);
 }
 
 std::string CsvReader::put(std::string_view lines) {
@@ -89,8 +99,8 @@ std::string DigitalReader::changed(std::string_view row) {
     return error;
   }
   splitRow(row, _layout.separator, _fields);
-  for (size_t i = 0; i < _layout.columns.size(); i++) {
-    const size_t column = _layout.columns[i];
+  for (size_t i = 0; i < _layout.signals.size(); i++) {
+    const size_t column = _layout.signals[i].column;
     if (column >= _fields.size()) {
       return "the row ends after column " + std::to_string(_fields.size()) + ": column " + std::to_string(column + 1) +
              " is expected";
@@ -108,8 +118,10 @@ std::string DigitalReader::changed(std::string_view row) {
 
 AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
     : CsvReader(std::move(layout), sink),
-      _isGiven(threshold.has_value()),
-      _signals(_layout.columns.size(), Signal{AnalogueLevel(threshold), {}}) {
+      _isGiven(threshold.has_value()) {
+  for (const CsvSignal &signal : _layout.signals) {
+    _signals.push_back({AnalogueLevel(signal.bit < 0 ? threshold : 0.5), {}});
+  }
 }
 
 // First reads all voltages of these rows, then looks for edges; it reads a time only at an edge.
@@ -158,22 +170,29 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
     isCut = at == end;
     at += at < end;
   };
-  for (size_t i = 0; i < _signals.size(); i++, column++) {
-    for (; column < _layout.columns[i]; column++) {
+  double volts = NAN;
+  for (size_t i = 0; i < _signals.size(); i++) {
+    const CsvSignal &signal = _layout.signals[i];
+    if (signal.bit > 0) {  // the column is read
+      _signals[i].volts.push_back(bitOf(volts, signal.bit));
+      continue;
+    }
+    for (; column < signal.column; column++) {
       skipField();
     }
     while (at < end && *at == ' ') {
       at++;
     }
-    double volts = NAN;
+    volts = NAN;
     const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
     any = any || !isEmpty;
     if (!isEmpty && !takeVoltage(at, end, volts, _layout.time.decimalMark)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
       return quoted(word) + " is not a voltage: a number is expected in column " + std::to_string(column + 1);
     }
-    _signals[i].volts.push_back(volts);
+    _signals[i].volts.push_back(signal.bit < 0 ? volts : bitOf(volts, signal.bit));
     skipField();
+    column++;
   }
   _rows.push_back(row);
   return {};
