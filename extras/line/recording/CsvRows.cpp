@@ -56,7 +56,25 @@ bool mayHaveFlags(size_t columns) {
   return columns == FlagColumns || columns == SwitchColumns;
 }
 
+bool isBetweenDigits(std::string_view text, size_t at) {
+  return at > 0 && at + 1 < text.size() && isDigit(text[at - 1]) && isDigit(text[at + 1]);
+}
+
 }  // namespace
+
+std::string withCommas(std::string_view row) {
+  std::string text(withoutBlanks(row));
+  const size_t separator = text.find(text.find(';') == std::string::npos ? '\t' : ';');
+  if (separator == std::string::npos) {
+    return text;
+  }
+  const char mark = text[separator];
+  for (size_t i = 0; i < text.size(); i++) {
+    const bool isDecimal = text[i] == ',' && isBetweenDigits(text, i);
+    text[i] = isDecimal ? '.' : text[i] == ',' ? ' ' : text[i] == mark ? ',' : text[i];
+  }
+  return text;
+}
 
 LineSettings csvSettings() {
   LineSettings settings;
@@ -103,21 +121,20 @@ CsvKind CsvRows::kind(size_t column) const {
                                 : (isLast ? CsvKind::Switch18 : CsvKind::Switch17);
 }
 
-// Splits at commas; without any at tabs; otherwise at blanks.
+// Splits at commas, semicolons or tabs; without any at blanks.
 void CsvRows::split() {
   _row.clear();
-  std::string_view rest = withoutBlanks(_line);
+  const std::string plain = withCommas(_line);
+  std::string_view rest = plain;
   const bool commas = rest.find(',') != std::string_view::npos;
-  const bool tabs = rest.find('\t') != std::string_view::npos;
-  _isTable = commas || rest.find(':') != std::string_view::npos;
   while (_row.size() < ColumnsMax) {
-    if (!commas && !tabs) {
+    if (!commas) {
       rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
       if (rest.empty() && !_row.empty()) {
         break;
       }
     }
-    const size_t end = rest.find(commas ? ',' : tabs ? '\t' : ' ');
+    const size_t end = rest.find(commas ? ',' : ' ');
     _row.push_back(fieldOf(rest.substr(0, end)));
     if (end == std::string_view::npos) {
       break;
@@ -128,6 +145,8 @@ void CsvRows::split() {
 
 void CsvRows::endLine() {
   split();
+  const bool hasLong = std::any_of(_row.begin() + 1, _row.end(), [](const CsvField &field) { return field.text.size() > 2; });
+  _isTable = _line.find_first_of(",;:") != std::string::npos || (hasLong && _line.find('\t') != std::string::npos);
   _isRow = _text && std::all_of(_row.begin(), _row.end(), [](const CsvField &field) { return field.isNumber; });
   _isText = _text && _line.size() >= LeastText;
   const size_t columns = _isRow ? _row.size() : 0;

@@ -19,13 +19,13 @@ bool beginsWithChannel(std::string_view text) {
     digits++;
   }
   return lower(text.substr(0, 2)) == "ch" && digits > 2 && digits < text.size() &&
-         (text[digits] == ',' || text[digits] == '\r' || text[digits] == '\n');
+         std::string_view(",;\t\r\n").find(text[digits]) != std::string_view::npos;
 }
 
 }  // namespace
 
 bool hasTimeColumn(std::string_view text) {
-  const std::string_view first = text.substr(0, text.find(','));
+  const std::string_view first = text.substr(0, text.find_first_of(",;\t"));
   return first == "time" || first == "seconds";
 }
 
