@@ -176,6 +176,10 @@ def main():
         wanted = wanted[:1] * 13 if "thrice" in name else wanted[:1] if "frame.bin" in name else wanted
         got, err = frames_of(text, ["hex"])
         tried += 1
+        # One number a line may be a voltage.
+        said = subprocess.run([SBUS, "decode", "ways.txt"], cwd=WORK, capture_output=True, text=True).stderr
+        if not name.startswith("one a line") and "is bytes, not a capture of the wire" not in said:
+            print(f"FAILED sbus: decode says that bytes are no capture: {name}: {said.strip()}")
         good += got == wanted
         if got != wanted:
             print(f"  {len(got)} of {len(wanted)} frames, {sum(each in wanted for each in got)} right: {err[:200]}\n  " + text[:120].replace("\n", "\n  "))

@@ -94,8 +94,13 @@ FileKind kindOfText(std::string_view text) {
 
 std::string whyNoCapture(FileKind kind, std::string_view begin) {
   const bool isOne = kind == FileKind::Recording && isRecording(begin);
+  // A column of voltages, which --sample-rate tells the times of, may look like bytes as well.
+  std::string_view text = withoutBlanks(begin), words = takeLine(text);
+  takeWord(words);
+  const bool isColumn = takeWord(words).empty() && !ByteText(begin, true).hasFrames();
+  const bool areBytes = kind == FileKind::Bytes || (kind == FileKind::Text && !isColumn);
   const char *const what = isOne                     ? "a recording of characters"
-                           : kind == FileKind::Bytes ? "bytes"
+                           : areBytes                ? "bytes"
                            : kind == FileKind::Json  ? "JSON lines"
                            : kind == FileKind::Table ? "a table of frames"
                                                      : nullptr;

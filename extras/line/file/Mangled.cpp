@@ -46,8 +46,11 @@ struct Utf8 {
   }
 };
 
-// Returns the number of frames, each followed directly by the next.
-unsigned long framesIn(std::string_view bytes) {
+// The frames of bytes that follow each other directly, and what belongs to none.
+struct Read {
+  unsigned long frames, discarded;
+};
+Read read(std::string_view bytes) {
   Observer observer;
   Character character;
   for (const char c : bytes) {
@@ -56,7 +59,17 @@ unsigned long framesIn(std::string_view bytes) {
     observer.put(character);
   }
   observer.finish();
-  return observer.counters().frames;
+  return {observer.counters().frames, observer.discardedBytes()};
+}
+
+// Returns how often a header follows an end byte a frame after another header.
+unsigned long headersIn(std::string_view bytes) {
+  unsigned long count = 0;
+  for (size_t i = sbus::FrameSize; i < bytes.size(); i++) {
+    count += bytes[i] == sbus::HeaderByte && bytes[i - sbus::FrameSize] == sbus::HeaderByte &&
+             sbus::isEndByte(static_cast<uint8_t>(bytes[i - 1]));
+  }
+  return count;
 }
 
 // Returns how many frames lack up to six bytes: how often a header follows flags and an end byte that much too early.
@@ -87,8 +100,9 @@ Mangled::Mangled(std::string_view head) {
                     : "its bytes went through UTF-8, which is undone: a program took them for text";
     return;
   }
-  const unsigned long frames = framesIn(head);
-  if (high == 0 && frames >= 2 && head.size() - counts[0] - counts[sbus::HeaderByte] > frames * Enough) {
+  const auto [frames, discarded] = read(head);
+  const unsigned long likely = std::max(frames, headersIn(head));
+  if (high == 0 && likely >= 2 && head.size() - counts[0] - counts[sbus::HeaderByte] > likely * Enough) {
     _isLost = true;
     _what = "no byte is above 7F: bit 7 was stripped, and the channels are wrong; set the port of the program that wrote "
             "it to 8 data bits";
@@ -98,12 +112,13 @@ Mangled::Mangled(std::string_view head) {
   for (size_t i = 1; i < head.size(); i++) {
     pairs += head[i - 1] == '\r' && head[i] == '\n';
   }
-  if (pairs >= 2 && pairs == counts['\n']) {
+  if (pairs >= 1 && pairs == counts['\n']) {
     _change = Change::CrLf;
     std::string undone;
     undo(head, undone);
     _held = 0;
-    if (framesIn(undone) > frames) {
+    const Read better = read(undone);
+    if (better.frames >= frames && better.discarded < discarded) {
       _what = "each 0A became 0D 0A, which is undone: a program took the bytes for text";
       return;
     }
