@@ -121,7 +121,7 @@ done >"$work/xonxoff.bin"
 said='Changed bytes: 11 and 13 are missing throughout, and frames are too short: they are taken for XON and XOFF'
 "$SBUS" doctor "$work/xonxoff.bin" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -qxF "$said." "$work/out" && grep -qx 'Turn software flow control off in the program that wrote it.' "$work/out" &&
-  "$SBUS" summary "$work/xonxoff.bin" 2>"$work/err" | grep -qxF "finding      $said; turn software flow control off in the program that wrote it." &&
+  "$SBUS" summary "$work/xonxoff.bin" 2>"$work/err" | grep -qxF "finding      $said." &&
   [ "$("$SBUS" hex "$work/xonxoff.bin" 2>"$work/err" | grep ' frame ' | cut -c15-88 | sort -u)" = "$frame" ]
 verdict $? "doctor and summary say that 11 and 13 are missing, and hex shows the whole frames"
 

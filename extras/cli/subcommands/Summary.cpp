@@ -109,7 +109,7 @@ std::string text(const line::FlightLog &flight, const SourceOption &source, sbus
              static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
              static_cast<unsigned long>(counters.failsafeFrames), flight.observer().discardedBytes(),
              flight.observer().characterErrors()) +
-         (damage.empty() ? findingText(finding) : "finding      Changed bytes: " + damage + ".\n") + (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
+         (damage.empty() ? findingText(finding) : "finding      " + damage + '\n') + (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 
 std::string json(const line::FlightLog &flight, const SourceOption &source) {

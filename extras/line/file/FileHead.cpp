@@ -175,7 +175,12 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
     const BytesReader reader(begin, kind == FileKind::Text, head.settings);
     head.note = reader.note();
     head.error = reader.error();
-    head.damage = reader.damage();
+    const std::string damage = reader.damage();
+    if (const size_t end = damage.find("; "); end != std::string::npos) {
+      head.damage = "Changed bytes: " + damage.substr(0, end) + ".";
+      head.damageRemedy = damage.substr(end + 2) + ".";
+      head.damageRemedy[0] = static_cast<char>(head.damageRemedy[0] - 'a' + 'A');
+    }
     head.kind = head.error.empty() ? kind : FileKind::Wrong;
   } else if (kind != FileKind::Capture) {
     const std::unique_ptr<LineReader> reader = makeReader(head);
