@@ -75,6 +75,7 @@ TEST_CASE("a sketch's rows are recognised, and other text is not") {
       {"0,1\t2\n0,2\t2\n", true},
       {"1,\t2,\t3\n1,\t2,\t3\n", true},
       {"1;;3\n1;;3\n", false},
+      {"1,2,\n1,2,\n", false},
       {"throttle:172,roll:992\nthrottle:173,roll:991\n", true},
       {"throttle:172 roll:992\nthrottle:173 roll:991\n", true},
       {"throttle:,roll:992\nthrottle:,roll:991\n", false},

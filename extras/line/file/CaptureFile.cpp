@@ -4,7 +4,6 @@
 
 #include "line/capture/PackedFile.h"
 #include "line/capture/SampleReaders.h"
-#include "line/capture/PackedFile.h"
 #include "line/file/FileHead.h"
 
 namespace line {

@@ -126,20 +126,12 @@ void CsvRows::split() {
   _row.clear();
   const std::string plain = withCommas(_line);
   std::string_view rest = plain;
-  const bool commas = rest.find(',') != std::string_view::npos;
-  while (_row.size() < ColumnsMax) {
-    if (!commas) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-      if (rest.empty() && !_row.empty()) {
-        break;
-      }
-    }
-    const size_t end = rest.find(commas ? ',' : ' ');
-    _row.push_back(fieldOf(rest.substr(0, end)));
-    if (end == std::string_view::npos) {
-      break;
-    }
-    rest.remove_prefix(end + 1);
+  const bool hasCommas = plain.find(',') != std::string::npos;
+  for (bool goesOn = true; goesOn && _row.size() < ColumnsMax;) {
+    const size_t comma = rest.find(',');
+    _row.push_back(fieldOf(hasCommas ? rest.substr(0, comma) : takeWord(rest)));
+    goesOn = hasCommas ? comma != std::string_view::npos : !rest.empty();
+    rest.remove_prefix(hasCommas && goesOn ? comma + 1 : 0);
   }
 }
 

@@ -14,12 +14,9 @@ namespace {
 
 // Returns true for a line of column names that begins with a channel: "CH1,CH2".
 bool beginsWithChannel(std::string_view text) {
-  size_t digits = 2;
-  while (digits < text.size() && isDigit(text[digits])) {
-    digits++;
-  }
-  return lower(text.substr(0, 2)) == "ch" && digits > 2 && digits < text.size() &&
-         std::string_view(",;\t\r\n").find(text[digits]) != std::string_view::npos;
+  const std::string_view first = text.substr(0, text.find_first_of(",;\t\r\n"));
+  return first.size() > 2 && first.size() < text.size() && lower(first.substr(0, 2)) == "ch" &&
+         std::all_of(first.begin() + 2, first.end(), isDigit);
 }
 
 }  // namespace
