@@ -65,8 +65,9 @@ CaptureEnd readCapture(const std::string &path, const std::string &name, const O
     }
     begin += read;
   }
-  const std::string other = whyNoCapture(kindOfText(begin), begin);
-  if (!other.empty()) {
+  const FileKind kind = kindOfText(begin);
+  const std::string other = whyNoCapture(kind, begin);
+  if (!other.empty() && kind != FileKind::Text) {  // a pipe's first line may look like bytes
     throw std::runtime_error(name + ": " + other);
   }
   bool goesOn = text.put(begin);
@@ -75,7 +76,7 @@ CaptureEnd readCapture(const std::string &path, const std::string &name, const O
   }
   CaptureEnd end = text.finish(file.failure());
   if (!end.rejection.empty()) {
-    throw std::runtime_error(end.rejection);
+    throw std::runtime_error(other.empty() ? end.rejection : name + ": " + other);
   }
   return end;
 }
