@@ -124,6 +124,7 @@ LAYOUTS = {
     "WaveForms": table("#Digilent WaveForms Oscilloscope Acquisition\n#Device Name: Discovery2\n#Trigger: Source\n\nTime (s),Channel 1 (V)\n",
                        "{s:.12f},{v:.12f}\n"),
     "Saleae, analogue": table("Time [s],Channel 0\n", "{s:.9f},{v:.9f}\n"),
+    "Saleae, analogue, all in quotation marks": table('"Time [s]","Channel 0"\n', '"{s:.9f}","{v:.9f}"\n'),
     "Saleae MSO": mso,
     "Saleae, digital": changes("Time [s],Channel 0\n", "{:.9f},{}\n"),
     "Saleae, digital, two signals": changes("Time [s],SBUS,Other\n", "{:.9f},{},1\n"),

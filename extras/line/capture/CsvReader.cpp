@@ -90,7 +90,7 @@ std::string CsvReader::take(std::string_view row) {
       while (column < signal.column) {
         skipField();
       }
-      at = std::find_if(at, end, [](char c) { return c != ' '; });
+      at = std::find_if(at, end, [](char c) { return c != ' ' && c != '"'; });
       const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
       any = any || !isEmpty;
       value = NAN;
