@@ -56,10 +56,6 @@ bool mayHaveFlags(size_t columns) {
   return columns == FlagColumns || columns == SwitchColumns;
 }
 
-bool isBetweenDigits(std::string_view text, size_t at) {
-  return at > 0 && at + 1 < text.size() && isDigit(text[at - 1]) && isDigit(text[at + 1]);
-}
-
 }  // namespace
 
 std::string withCommas(std::string_view row) {
@@ -70,7 +66,7 @@ std::string withCommas(std::string_view row) {
   }
   const char mark = text[separator];
   for (size_t i = 0; i < text.size(); i++) {
-    const bool isDecimal = text[i] == ',' && isBetweenDigits(text, i);
+    const bool isDecimal = text[i] == ',' && i > 0 && isDigit(text[i - 1]) && i + 1 < text.size() && isDigit(text[i + 1]);
     text[i] = isDecimal ? '.' : text[i] == ',' ? ' ' : text[i] == mark ? ',' : text[i];
   }
   return text;
