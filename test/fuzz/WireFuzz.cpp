@@ -60,7 +60,7 @@ Result decode(const std::string &text, bool byLines) {
   if (!opened.reader) {
     return result;
   }
-  result.analogue = dynamic_cast<line::AnalogueReader *>(opened.reader.get()) != nullptr;
+  result.analogue = opened.reader->needsFullBlocks();
   for (size_t from = 0; from < text.size() && result.error.empty();) {
     const size_t end = byLines ? std::min(text.find('\n', from), text.size() - 1) + 1 : text.size();
     result.error = opened.reader->put(std::string_view(text).substr(from, end - from));

@@ -32,6 +32,20 @@ TEST_CASE("rows are read: values and their text") {
   CHECK(rows.row()[1].text == "+3");
 }
 
+TEST_CASE("rows of a German spreadsheet are read: semicolons or tabs, and decimal commas") {
+  for (const char *text : {"time;CH1\n0,009;1500,5\n", "time\tCH1\n0,009\t1500,5\n", "0,009; 1500,5;\n", "t:0,009;x:1500,5\n",
+                           "0.009,\t1500.5\n", "0.009\t1500.5\t\n"}) {
+    CAPTURE(text);
+    CsvRows rows;
+    for (const char c : std::string(text)) {
+      rows.put(static_cast<uint8_t>(c));
+    }
+    REQUIRE(rows.row().size() >= 2);
+    CHECK(rows.row()[0].value == 0.009);
+    CHECK(rows.row()[1].value == 1500.5);
+  }
+}
+
 TEST_CASE("a sketch's rows are recognised, and other text is not") {
   const struct {
     const char *text;
@@ -56,6 +70,12 @@ TEST_CASE("a sketch's rows are recognised, and other text is not") {
       {" 1500  1000 0 \r\n1501 1000 0\r\n", true},
       {"1500\t1000\t\r\n1501\t1000\t\r\n", true},  // each number with a tab behind it
       {"1, 2, 3\n1, 2, 3\n", true},
+      {"1;2;3\n1;2;3\n", true},
+      {"0,1;2\n0,2;2\n", true},
+      {"0,1\t2\n0,2\t2\n", true},
+      {"1,\t2,\t3\n1,\t2,\t3\n", true},
+      {"1;;3\n1;;3\n", false},
+      {"1,2,\n1,2,\n", false},
       {"throttle:172,roll:992\nthrottle:173,roll:991\n", true},
       {"throttle:172 roll:992\nthrottle:173 roll:991\n", true},
       {"throttle:,roll:992\nthrottle:,roll:991\n", false},

@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { build, check, downloaded, frame, playToEnd, reads, recorded, root } from './support.mjs';
+import { build, check, downloaded, frame, playPaused, playToEnd, reads, recorded, root, seek } from './support.mjs';
 
 const bitUs = 10;
 
@@ -52,6 +52,9 @@ sys.stdout.buffer.write(out.getvalue())`;
   const input = JSON.stringify(entries.map(([name, content]) => [name, content.toString('base64')]));
   return execFileSync('python3', ['-c', program, JSON.stringify(stored)], { input, maxBuffer: 1 << 26 });
 }
+
+// The levels of a wire, a sample every `us`.
+const samples = (wire, us) => wire.flatMap(([at, high], i) => Array(Math.round(((wire[i + 1]?.[0] ?? at + 5000) - at) / us)).fill(high));
 
 const rows = (csv) => csv.trim().split('\n').slice(1);
 const choose = (page, name, content) => page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
@@ -128,6 +131,10 @@ export default async function () {
     ['a capture that begins before its trigger', 'wire.csv', `Time [s],S\n${levels.map(([us, high]) => `${((us - 20000) / 1e6).toFixed(6)},${high}\n`).join('')}`],
     ['a recording of one', 'wire.txt', `# 100000 baud, 8E2, inverted\n${times}\n`],
     ['a list of Python', 'list.txt', lines((bytes) => `[${bytes.join(', ')}]`)],
+    ['lists in a list', 'lists.txt', `${JSON.stringify(frames)}\n`],
+    ['a logic probe of Rigol', 'rigol.csv', `Time(s),D7-D0,D15-D8,t0 = 0s, tInc = 2e-06,\n${samples(levels, 2).map((level, i) => `${(i * 2e-6).toExponential(6)},${4 * level},255,,\n`).join('')}`],
+    ['a table of a German spreadsheet', 'german.csv', `time;${frames[0].slice(0, 16).map((_, i) => `CH${i + 1}`).join(';')};failsafe\n${lines((bytes, i) => `0,${9 + 9 * i + 100};${bytes.slice(0, 16).join(';')};0`)}`],
+    ['raw bytes whose LF became CR LF', 'crlf', Buffer.from(frames.flatMap((bytes) => bytes.toSpliced(5, 1, 13, 10)))],
     ['a dump', 'dump.txt', frames.flat().map((_, i, all) => (i % 16 ? '' : `${i.toString(16).padStart(8, '0')}  ${words(all.slice(i, i + 16))}\n`)).join('')],
     ['a log', 'log.txt', lines((bytes, i) => `I (123${i}) sbus: ${words(bytes)}`)],
     ['raw bytes', 'bytes', Buffer.from(frames.flat())],
@@ -147,6 +154,29 @@ export default async function () {
       }
     });
   }
+
+  for (const [name, content, wire] of [
+    ['early.csv', `Time [s],S\n${levels.map(([us, high]) => `${((us - 2020000) / 1e6).toFixed(6)},${high}\n`).join('')}`, /^[0-9A-F]{2} at -(2\.0|1\.9)\d{5} s/],
+    ['early.txt', `# 100000 baud, 8E2, inverted\n${frames.map((bytes, i) => `${9000 * i - 2012345} ${words(bytes)}\n`).join('')}`, ''],
+  ]) {
+    await check(`times before the trigger are below 0 in the wire view and at bookmarks: ${name}`, async (page) => {
+      await playPaused(page, name, content);
+      await seek(page, 5);
+      await page.click('#bookmark');
+      await reads(page, '#bookmarks-list li', /^-0:0(2\.0|1\.9)/);
+      await reads(page, '#wire-text', wire);
+      if (wire === '') {
+        assert.match((await downloaded(page, '#bookmarks-save')).text, /^# bookmark -(20|19)\d{5} /m);
+      }
+    });
+  }
+
+  await check('bytes without 11 and 13 are named as sbus doctor names them', async (page) => {
+    const lacking = frames.flatMap((bytes) => [...bytes, ...bytes.toSpliced(9, 1)]);
+    await playToEnd(page, 'xon', Buffer.from([...lacking, ...lacking].map((byte) => (byte === 0x11 || byte === 0x13 ? 0x12 : byte))));
+    await reads(page, '#verdict-text', 'Changed bytes: 11 and 13 are missing throughout, and frames are too short: they are taken for XON and XOFF.');
+    await reads(page, '#verdict-remedy', 'Turn software flow control off in the program that wrote it.');
+  });
 
   await check('a .xz is rejected with what to do', async (page) => {
     await choose(page, 'flight.vcd.xz', Buffer.from('fd377a585a000004e6d6b446', 'hex'));

@@ -84,9 +84,25 @@ def mso(capture):  # Saleae: a waveform each trigger; Trigger [s] begins again
     return "Trigger [s],Time [s],SBUS\n" + rows
 
 
+def probes(head, row, bit):
+    """Rigol's logic probe: eight wires a column, D0 is bit 0. Only this bit of 16 is the wire; its neighbours are clocks."""
+    def text(capture):
+        rows = []
+        for i, (us, level) in enumerate(capture.levels()):
+            word = level << bit | (i // 3 % 2) << (bit ^ 1) | (i // 50 % 2) << (bit ^ 8)
+            rows.append(row.format(i=i, s=us / 1e6, low=word & 255, high=word >> 8))
+        return head.format(-capture.zero / 1e6) + "".join(rows)
+    return text
+
+
 LAYOUTS = {
     "Rigol DS1000Z": headed("X,CH1,Start,Increment,\nSequence,Volt,{:e},1.0e-06\n", "{i},{v:e},,\n"),
     "Rigol DS1000Z with its digital probes": headed("X,CH1,D7-D0,D15-D8,Start,Increment,\nSequence,Volt,,,{:e},1.0e-06\n", "{i},{v:e},0x00,0xFF,\n"),
+    # "Oscilloscope Waveform Analyzer" of ElmueSoft, LoadConfigRigol1000Z(): 0x00 for a pod of eight.
+    "Rigol MSO1000Z, wire on D3": probes("X,CH1,D7-D0,D15-D8,Start,Increment,\nSequence,Volt,,,{:e},1.0e-06\n",
+                                         "{i},4.00e-02,0x{low:02X},0x{high:02X},\n", 3),
+    # A Rust converter for the probe PLA2216, "From Rigol support: ... channel 0 is bit 0 and channel 7 is bit 7"; pods are reals.
+    "Rigol MSO5000, wire on D9": probes("Time(s),D7-D0,D15-D8,t0 = {}s, tInc = 1e-06,\n", "{s:.6E},{low:.6E},{high:.6E},,\n", 9),
     "Rigol MSO5000": table("Time(s),CH1(V)\n", "{s:.6e},{v:.4f}\n"),
     "Rigol DS2000": table("Time(s),CH1V\n", "{s:e},{v:e}\n"),
     "Rigol DHO": headed("CH1V,t0 ={:e},tInc =1.0e-06,\n", "{v:e},,\n"),
@@ -108,6 +124,7 @@ LAYOUTS = {
     "WaveForms": table("#Digilent WaveForms Oscilloscope Acquisition\n#Device Name: Discovery2\n#Trigger: Source\n\nTime (s),Channel 1 (V)\n",
                        "{s:.12f},{v:.12f}\n"),
     "Saleae, analogue": table("Time [s],Channel 0\n", "{s:.9f},{v:.9f}\n"),
+    "Saleae, analogue, all in quotation marks": table('"Time [s]","Channel 0"\n', '"{s:.9f}","{v:.9f}"\n'),
     "Saleae MSO": mso,
     "Saleae, digital": changes("Time [s],Channel 0\n", "{:.9f},{}\n"),
     "Saleae, digital, two signals": changes("Time [s],SBUS,Other\n", "{:.9f},{},1\n"),

@@ -76,6 +76,7 @@ WAYS = {
     "Python name": "frames = " + repr(ALL) + "\n",
     "Python list": lines(lambda data, i: repr(list(data))),
     "Python list of all": repr(list(ALL)) + "\n",
+    "Python list of lists": repr([list(each) for each in FRAMES]) + "\n",
     "Python tuple": lines(lambda data, i: repr(tuple(data))),
     "Python bytes of a list": lines(lambda data, i: f"bytes({list(data)})"),
     "Python bytearray of a list": lines(lambda data, i: f"bytearray({list(data)})"),
@@ -136,7 +137,7 @@ WAYS = {
     "frames and AA 55": lines(lambda data, i: UPPER(data + b"\xAA\x55")),
     "frames that end in 08, without their tail": lines(lambda data, i: UPPER(data[:-1] + b"\x08")),
     "frames and zeros in decimal": lines(lambda data, i: DECIMAL(data + bytes(7))),
-    "sbus explain's bits": "".join(f"{byte:08b} " for byte in ALL) + "\n" if False else lines(numbers("0x%02X", "\t")),
+    "0x and tabs": lines(numbers("0x%02X", "\t")),
 }
 
 # What tools print, by the tools. {} is the file.
@@ -176,6 +177,10 @@ def main():
         wanted = wanted[:1] * 13 if "thrice" in name else wanted[:1] if "frame.bin" in name else wanted
         got, err = frames_of(text, ["hex"])
         tried += 1
+        # One number a line may be a voltage.
+        said = subprocess.run([SBUS, "decode", "ways.txt"], cwd=WORK, capture_output=True, text=True).stderr
+        if not name.startswith("one a line") and "is bytes, not a capture of the wire" not in said:
+            print(f"FAILED sbus: decode says that bytes are no capture: {name}: {said.strip()}")
         good += got == wanted
         if got != wanted:
             print(f"  {len(got)} of {len(wanted)} frames, {sum(each in wanted for each in got)} right: {err[:200]}\n  " + text[:120].replace("\n", "\n  "))

@@ -113,6 +113,18 @@ for damage in utf8:UTF-8 crlf:0D; do
   done
 done
 
+# Frames that lack a byte; no byte is 11 or 13. What they lack cannot be put back, and doctor and summary say what it is.
+for i in 1 2 3 4; do
+  # shellcheck disable=SC2059  # the frame has no %
+  printf "$octal${octal%'\174\000\000'}\000\000"
+done >"$work/xonxoff.bin"
+said='Changed bytes: 11 and 13 are missing throughout, and frames are too short: they are taken for XON and XOFF'
+"$SBUS" doctor "$work/xonxoff.bin" >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && grep -qxF "$said." "$work/out" && grep -qx 'Turn software flow control off in the program that wrote it.' "$work/out" &&
+  "$SBUS" summary "$work/xonxoff.bin" 2>"$work/err" | grep -qxF "finding      $said." &&
+  [ "$("$SBUS" hex "$work/xonxoff.bin" 2>"$work/err" | grep ' frame ' | cut -c15-88 | sort -u)" = "$frame" ]
+verdict $? "doctor and summary say that 11 and 13 are missing, and hex shows the whole frames"
+
 # A line without an end is named, after what was good before it, and is not kept.
 { cat recordings/paper.txt; head -c 40000000 /dev/zero | tr '\0' 7; } >"$work/endless.txt"
 lines=$(wc -l <recordings/paper.txt)

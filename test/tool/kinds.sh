@@ -7,7 +7,8 @@ cd "$(dirname "$0")/.." || exit 1
 
 # What other programs write: text/NAME and its packed forms. The session is sigrok's: libsigrok, src/output/srzip.c.
 "$SBUS" wave recordings/sbus2.txt -o "$work/line.vcd" && cp recordings/sbus2.txt "$work/line.txt" &&
-  "$SBUS" csv recordings/frsky-neutral.txt --every-frame >"$work/rows.csv" && python3 - "$work" <<'END'
+  "$SBUS" csv recordings/frsky-neutral.txt --every-frame >"$work/rows.csv" &&
+  "$SBUS" csv sim --seconds 1 --simulated-time --every-frame --header --columns time,ch1-ch18,failsafe >"$work/table.csv" && python3 - "$work" <<'END'
 import gzip, lzma, sys, zipfile
 work = sys.argv[1] + "/"
 kinds = []
@@ -31,6 +32,11 @@ for name in "line.txt", "line.vcd", "rows.csv":
         packed.writestr("folder/", b"")
         packed.writestr("folder/" + name, text)
     kinds.append(f"{name} {stem}-{end}.zip")
+for name in "rows", "table":  # as spreadsheets in German save them: decimal commas
+    text = open(work + name + ".csv").read().replace(".", ",,")
+    for end, mark in ("csv", ";"), ("tsv", "\t"):
+        open(work + f"{name}-german.{end}", "w").write(text.replace(",,", "?").replace(",", mark).replace("?", ","))
+        kinds.append(f"{name}.csv {name}-german.{end}")
 levels, samples, level = [], bytearray(), 0
 for line in open(work + "line.vcd"):
     if line[0] == "#":
@@ -45,13 +51,13 @@ with zipfile.ZipFile(work + "line-session.sr", "w", zipfile.ZIP_DEFLATED) as ses
 kinds.append("line.vcd line-session.sr")
 open(work + "kinds", "w").write("\n".join(kinds) + "\n")
 END
-[ "$(wc -l <"$work/kinds")" -eq 30 ]
-verdict $? "there are 30 kinds of files"
+[ "$(wc -l <"$work/kinds")" -eq 34 ]
+verdict $? "there are 34 kinds of files"
 
 run() {  # SUBCOMMAND 'FILE OPTION...', in $work: what it prints, without the file's name
   # shellcheck disable=SC2086  # the arguments are words
   case $1 in
-    record) "$SBUS" record $2 -o - ;;
+    record) "$SBUS" record $2 -o - 2>said && cat said ;;  # one after the other
     send) "$SBUS" send $2 --port /dev/null ;;  # says that this is no port, once the file is read
     monitor) "$SBUS" monitor $2 --simulated-time ;;
     csv) "$SBUS" csv $2 --every-frame --columns time,ch1-ch18,failsafe ;;

@@ -23,21 +23,6 @@ for words in 16 24 32 sbus2 16,noise=30 24,noise=30 32,noise=30 sbus2,noise=30; 
     "$SBUS" hex "$work/$words.txt" --json | same "$words" 'JSON lines' $command
   done
 done
-for unit in us percent; do
-  for range in 172,992,1811 352,1024,1696 1811,992,172; do
-    "$SBUS" hex "$work/24.txt" --json | python3 -c '
-import json, sys
-unit, low, centre, high = sys.argv[1], *map(int, sys.argv[2].split(","))
-def percent(raw):
-    return 100 * (raw - centre) / (high - centre if (raw > centre) == (high > centre) else centre - low)
-for line in map(json.loads, sys.stdin):
-    if "channels" in line:
-        line[unit] = [round(raw * 5 / 8 + 880 if unit == "us" else percent(raw), 1) for raw in line.pop("channels")]
-    if line["type"] == "line" and unit == "percent":
-        line["range"] = [low, centre, high]
-    print(json.dumps(line))' $unit $range | same 24 "JSON lines in $unit of $range" hex
-  done
-done
 "$SBUS" hex "$work/16.txt" --json | python3 -c 'import json, sys
 for line in sys.stdin: print(json.dumps(json.loads(line), indent=2))' | same 16 'JSON in several rows' hex
 "$SBUS" hex "$work/sbus2.txt" >"$work/wanted" && "$SBUS" hex "$work/sbus2.txt" --json >"$work/line.json" && gzip -k "$work/line.json"
@@ -164,16 +149,11 @@ while IFS='|' read -r text message; do
   [ $? -eq 1 ] && grep -qxF "sbus hex: x.json:$message" "$work/err" || { cat "$work/err"; false; }
   verdict $? "JSON lines: $message"
 done <<'END'
-{"type":"frame"}|1: a frame has channels, us or percent: an array of 16 numbers, or of 24
-{"type":"frame","channels":[992]}|1: a frame has channels, us or percent: an array of 16 numbers, or of 24
+{"type":"frame"}|1: a frame has channels: an array of 16 numbers, or of 24
+{"type":"frame","channels":[992]}|1: a frame has channels: an array of 16 numbers, or of 24
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,2048]}|1: channels[15]: 2048 is not a whole number from 0 to 2047
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,1.5]}|1: channels[15]: 1.5 is not a whole number from 0 to 2047
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,"15"]}|1: channels[15]: "15" is not a whole number from 0 to 2047
-{"type":"frame","us":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]}|1: us[0]: 0 is not a number from 880.0 to 2159.4
-{"type":"frame","percent":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,150]}|1: percent[15]: 150 is not a number from -121.0 to 128.8
-{"type":"line","range":[172,992,70000]}|1: range: [172,992,70000] is not three raw values such as [172,992,1811]
-{"type":"line","range":[992,992,1811]}|1: range: [992,992,1811] is not three raw values such as [172,992,1811]
-{"type":"frame","us":[],"percent":[]}|1: has us and percent; leave one of them out
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"failsafe":"no"}|1: failsafe: "no" is not true or false
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"first":2}|1: first: 2 is not 1, or 17 of a frame with header 2F
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"end":4}|1: end: 4 is not an end byte in hexadecimal, such as "00"

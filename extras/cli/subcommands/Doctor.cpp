@@ -116,14 +116,8 @@ std::optional<Verdict> verdictOnSource(const SourceOption &source,
     return Verdict{false, "Rows of CSV: a sketch prints them; this is not S.Bus.",
                    "sbus monitor shows them: at 115200 baud with --rows. For S.Bus name the receiver's port."};
   }
-  if (!source.isFile() || source.file().damage.empty()) {
-    return std::nullopt;
-  }
-  const std::string &damage = source.file().damage;
-  const size_t remedyAt = damage.find("; ");
-  std::string remedy = damage.substr(remedyAt + 2) + ".";
-  remedy[0] = static_cast<char>(remedy[0] - 'a' + 'A');
-  return Verdict{false, "Changed bytes: " + damage.substr(0, remedyAt) + ".", remedy};
+  const bool isChanged = source.isFile() && !source.file().damage.empty();
+  return isChanged ? std::optional(Verdict{false, source.file().damage, source.file().damageRemedy}) : std::nullopt;
 }
 
 Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {

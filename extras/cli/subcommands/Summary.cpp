@@ -102,13 +102,14 @@ std::string findingText(sbus::Finding finding) {
 
 std::string text(const line::FlightLog &flight, const SourceOption &source, sbus::Finding finding) {
   const sbus::Counters counters = flight.observer().counters();
+  const std::string damage = source.isFile() ? source.file().damage : "";
   return source.name() + ": " + flight.variant() + ", " +
          line::format(
              "%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
              static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
              static_cast<unsigned long>(counters.failsafeFrames), flight.observer().discardedBytes(),
              flight.observer().characterErrors()) +
-         findingText(finding) + (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
+         (damage.empty() ? findingText(finding) : "finding      " + damage + '\n') + (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 
 std::string json(const line::FlightLog &flight, const SourceOption &source) {

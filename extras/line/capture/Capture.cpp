@@ -73,10 +73,8 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
     opened.error = trimmed(head).empty() ? "is empty: a capture of a wire is expected"
                                          : findLayout(head, layout, overrides.periodNs);
     analogue = layout.analogue;
-    if (opened.error.empty() && analogue) {
-      opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrides.threshold);
-    } else if (opened.error.empty()) {
-      opened.reader = std::make_unique<DigitalReader>(layout, sink);
+    if (opened.error.empty()) {
+      opened.reader = std::make_unique<CsvReader>(layout, sink, overrides.threshold);
     }
   }
   if (opened.reader && overrides.threshold && !analogue) {

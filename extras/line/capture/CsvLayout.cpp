@@ -1,6 +1,7 @@
 #include "line/capture/CsvLayout.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "line/capture/Capture.h"
@@ -13,41 +14,33 @@ namespace {
 constexpr size_t RowsMax = 2000;                 // rows of the head to examine
 constexpr std::string_view Separators = ";\t,";  // with another separator, a comma is a decimal point
 
-// Where instruments write what their rows do not hold: in a comment; in the field beside a name; behind "name ="; in the
-// field below a title.
-enum class Place { Comment, Beside, Equals, Below };
+// What the rows do not hold, by the name that instruments give it. The value is beside the name, below it, or behind : or =.
 enum class What { Rate, Period, Start, Names };
 constexpr struct {
-  Place place;
   std::string_view name;
   What what;
 } Facts[] = {
-    {Place::Comment, "samplerate", What::Rate},     // PulseView: "; Samplerate: 1 MHz"
-    {Place::Comment, "sample rate", What::Rate},    // DSView, WaveForms
-    {Place::Comment, "channels (", What::Names},    // PulseView, DSView: "; Channels (2/8): D0, D1"
-    {Place::Beside, "interval", What::Period},      // OWON: "Time interval:,0.50000us"; Tektronix, Siglent
-    {Place::Beside, "xinc", What::Period},          // Keysight Infiniium: "XInc:,1E-06", "XOrg:,-5E-03", then volts alone
-    {Place::Beside, "xorg", What::Start},
-    {Place::Beside, "hresolution", What::Period},   // Yokogawa DLM: "HResolution",1.0E-06; "HOffset"
-    {Place::Beside, "hoffset", What::Start},
-    {Place::Equals, "tinc", What::Period},          // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
-    {Place::Equals, "t0", What::Start},
-    {Place::Below, "increment", What::Period},      // Rigol DS1000Z: "X,CH1,Start,Increment"
-    {Place::Below, "start", What::Start},
+    {"samplerate", What::Rate},     // PulseView: "; Samplerate: 1 MHz"
+    {"sample rate", What::Rate},    // DSView, WaveForms
+    {"channels (", What::Names},    // PulseView, DSView: "; Channels (2/8): D0, D1"
+    {"interval", What::Period},     // OWON: "Time interval:,0.50000us"; Tektronix, Siglent
+    {"xinc", What::Period},         // Keysight Infiniium: "XInc:,1E-06", "XOrg:,-5E-03", then volts alone
+    {"xorg", What::Start},
+    {"hresolution", What::Period},  // Yokogawa DLM: "HResolution",1.0E-06; "HOffset"
+    {"hoffset", What::Start},
+    {"tinc", What::Period},         // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
+    {"t0", What::Start},
+    {"increment", What::Period},    // Rigol DS1000Z: "X,CH1,Start,Increment" above "Sequence,Volt,-5e-03,1e-06"
+    {"start", What::Start},
 };
-
-constexpr struct {
-  std::string_view word;
-  double ns;
-} Units[] = {{"s", 1e9},          {"sec", 1e9},         {"second", 1e9},       {"seconds", 1e9}, {"ms", 1e6},
-             {"millisecond", 1e6}, {"milliseconds", 1e6}, {"us", 1e3},          {"microsecond", 1e3},
-             {"microseconds", 1e3}, {"ns", 1},            {"nanosecond", 1},    {"nanoseconds", 1}};
 
 // Returns the unit of time that a text names, in ns, or 0 if it names none.
 double unitIn(std::string_view text) {
-  const auto *const unit = std::find_if(std::begin(Units), std::end(Units),
-                                        [text](const auto &each) { return hasWord(text, {each.word}); });
-  return unit == std::end(Units) ? 0 : unit->ns;
+  return hasWord(text, {"s", "sec", "second", "seconds"})         ? 1e9
+         : hasWord(text, {"ms", "millisecond", "milliseconds"})   ? 1e6
+         : hasWord(text, {"us", "microsecond", "microseconds"})   ? 1e3
+         : hasWord(text, {"ns", "nanosecond", "nanoseconds"})     ? 1
+                                                                  : 0;
 }
 
 bool isLogic(std::string_view field) {
@@ -59,16 +52,20 @@ bool isNumber(std::string_view field) {
   return parseNumber(field, value);
 }
 
-// Rigol DS1000Z writes eight digital probes as 0x00 beside the voltages.
-bool arePods(std::string_view field) {
-  return field.size() > 2 && field.substr(0, 2) == "0x" && field.find_first_not_of("0123456789abcdefABCDEF", 2) == field.npos;
+// Returns the lowest of the eight probes in Rigol's columns "D7-D0" and "D15-D8", or -1. It is bit 0.
+int podOf(std::string_view title) {
+  const size_t hyphen = title.find("-D");
+  int high = 0, low = 0;
+  const bool isPod = hyphen != title.npos && title.front() == 'D' && parseWhole(title.substr(1, hyphen - 1), high) &&
+                     parseWhole(title.substr(hyphen + 2), low) && high == low + 7;
+  return isPod ? low : -1;
 }
 
 bool isValue(std::string_view field) {
   const char *at = field.data();
   double volts;
   int64_t ns;
-  return field.empty() || isLogic(field) || arePods(field) || parseTimestamp(field, ns) ||
+  return field.empty() || isLogic(field) || parseTimestamp(field, ns) ||
          (takeVoltage(at, field.data() + field.size(), volts) && at == field.data() + field.size());
 }
 
@@ -109,26 +106,28 @@ struct Header {
   double periodNs = 0;
   std::string program;  // "PulseView" or "DSView"; empty: another program
 
-  // Takes what is called so at this place. Returns true if it is a fact.
-  bool take(Place place, std::string_view name, std::string_view value) {
+  // Takes what is called so. Returns true if it is a number that stands for something.
+  bool take(std::string_view name, std::string_view value) {
     const std::string small = lower(name);
-    for (const auto &fact : Facts) {
-      if (fact.place != place || small.find(fact.name) == std::string::npos) {
-        continue;
-      }
-      const char *at = value.data(), *const end = at + value.size();
-      double number = 0;
-      if (fact.what == What::Rate) {
-        periodNs = periodOf(value);
-      } else if (fact.what == What::Names) {
-        Fields fields;
-        splitRow(value, ',', fields);
-        names.assign(fields.begin(), fields.end());
-      } else if (takeNumber(at, end, number) && isUnit({at, static_cast<size_t>(end - at)})) {
-        double &ns = fact.what == What::Start ? startNs : periodNs;
-        ns = fact.what == What::Start || number > 0 ? number * unitOf(value) : ns;
-        return true;
-      }
+    const auto *const fact = std::find_if(std::begin(Facts), std::end(Facts), [&small](const auto &each) {
+      return small.find(each.name) != std::string::npos;
+    });
+    const char *at = value.data(), *const end = at + value.size();
+    double number = 0;
+    if (fact == std::end(Facts)) {
+      return false;
+    }
+    if (fact->what == What::Rate) {
+      const double ns = periodOf(value);
+      periodNs = ns > 0 ? ns : periodNs;
+    } else if (fact->what == What::Names) {
+      Fields fields;
+      splitRow(value, ',', fields);
+      names.assign(fields.begin(), fields.end());
+    } else if (takeNumber(at, end, number) && isUnit({at, static_cast<size_t>(end - at)})) {
+      double &ns = fact->what == What::Start ? startNs : periodNs;
+      ns = fact->what == What::Start || number > 0 ? number * unitOf(value) : ns;
+      return true;
     }
     return false;
   }
@@ -140,16 +139,16 @@ struct Header {
     program = isDsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
     const size_t colon = line.find(": ");
     if (colon != std::string_view::npos) {
-      take(Place::Comment, line.substr(0, colon), line.substr(colon + 2));
+      take(line.substr(0, colon), line.substr(colon + 2));
     }
   }
 
   void row(const Fields &fields) {
-    for (size_t i = 1; i < fields.size() && !take(Place::Beside, fields.front(), fields[i]); i++) {
+    for (size_t i = 1; i < fields.size() && !take(fields.front(), fields[i]); i++) {
     }
     for (const std::string_view field : fields) {
       const size_t equals = std::min(field.find('='), field.size());
-      take(Place::Equals, field.substr(0, equals), trimmed(field.substr(std::min(equals + 1, field.size()))));
+      take(field.substr(0, equals), trimmed(field.substr(std::min(equals + 1, field.size()))));
     }
     const bool inBrackets = !fields.empty() && fields.front().substr(0, 1) == "(";
     const bool areUnits = fields.size() == titles.size() && std::all_of(fields.begin(), fields.end(), isUnit);
@@ -160,7 +159,7 @@ struct Header {
       units.clear();
     } else {
       for (size_t i = 0; i < titles.size() && i < fields.size(); i++) {
-        take(Place::Below, titles[i], fields[i]);
+        take(titles[i], fields[i]);
       }
     }
   }
@@ -208,7 +207,7 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
 
 char separatorOf(std::string_view head) {
   size_t lines[Separators.size()] = {};
-  for (size_t row = 0; row < RowsMax && !head.empty(); row++) {
+  while (!head.empty()) {
     const std::string_view line = takeLine(head);
     for (size_t i = 0; i < Separators.size(); i++) {
       lines[i] += line.find(Separators[i]) != std::string_view::npos;
@@ -231,18 +230,22 @@ bool grows(const std::vector<Fields> &rows, size_t column, bool counts) {
   return rows.size() > 2;
 }
 
-std::vector<std::string> namesOf(const Header &header, const std::vector<size_t> &columns) {
-  std::vector<std::string> names;
-  for (size_t i = 0; i < columns.size(); i++) {
-    std::string name = header.names.size() == columns.size() ? header.names[i]
-                       : columns[i] < header.titles.size()   ? header.titles[columns[i]]
+std::vector<CsvSignal> signalsOf(const Header &header, const std::vector<size_t> &columns) {
+  std::vector<CsvSignal> signals;
+  for (const size_t column : columns) {
+    std::string name = header.names.size() == columns.size() ? header.names[signals.size()]
+                       : column < header.titles.size()       ? header.titles[column]
                                                              : "";
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) {
-      name = std::to_string(columns[i] + 1);
+    const int probe = podOf(name);
+    for (int bit = 0; bit < 8 && probe >= 0; bit++) {
+      signals.push_back({"D" + std::to_string(probe + bit), column, bit});
     }
-    names.push_back(name);
+    const bool isTaken = std::any_of(signals.begin(), signals.end(), [&name](const CsvSignal &each) { return each.name == name; });
+    if (probe < 0) {
+      signals.push_back({name.empty() || isTaken ? std::to_string(column + 1) : name, column});
+    }
   }
-  return names;
+  return signals;
 }
 
 // sigrok counts whole units from sample to sample, and drops the rest: 41 ns at 24 MHz. The unit is a second divided by
@@ -258,9 +261,9 @@ double sigrokUnitNs(double periodNs) {
 
 // Finds the columns of the times and of the signals. Returns true if a column counts the rows.
 bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayout &layout) {
-  std::vector<size_t> &columns = layout.columns;
+  std::vector<size_t> columns;
   for (size_t i = 0; i < rows.front().size(); i++) {
-    if (!rows.front()[i].empty() && !arePods(rows.front()[i])) {
+    if (!rows.front()[i].empty()) {
       columns.push_back(i);
     }
   }
@@ -280,7 +283,26 @@ bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayou
     layout.time.unitNs = isSigrok ? sigrokUnitNs(header.periodNs) : unitOf(title(0));
     columns.erase(columns.begin());
   }
+  layout.signals = signalsOf(header, columns);
   return isCounted;
+}
+
+bool areVoltages(const std::vector<Fields> &rows, const std::vector<CsvSignal> &signals) {
+  return std::any_of(rows.begin(), rows.end(), [&signals](const Fields &row) {
+    return std::any_of(signals.begin(), signals.end(), [&row](const CsvSignal &each) {
+      return each.column < row.size() && !row[each.column].empty() && !isLogic(row[each.column]);
+    });
+  });
+}
+
+// Measures the time between two rows, each a sample. OWON's times go back, its samples do not: its counter counts.
+void measurePeriod(const std::vector<Fields> &rows, bool isCounted, CsvLayout &layout) {
+  double begin, end;
+  if (layout.time.read(rows.front(), begin).empty() && layout.time.read(rows.back(), end).empty()) {
+    layout.periodNs = std::abs(end - begin) / static_cast<double>(rows.size() - 1);
+    layout.startNs = end < begin ? -begin : begin;
+    layout.time.column = isCounted ? TimeColumn::None : layout.time.column;
+  }
 }
 
 }  // namespace
@@ -316,6 +338,12 @@ void splitRow(std::string_view row, char separator, Fields &fields) {
 }
 
 bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark) {
+  if (end - at > 2 && at[0] == '0' && at[1] == 'x') {
+    unsigned probes = 0;
+    at = std::from_chars(at + 2, end, probes, 16).ptr;
+    volts = probes;
+    return true;
+  }
   if (takeNumber(at, end, volts, decimalMark)) {
     return true;
   }
@@ -366,18 +394,10 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   }
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
-  layout.analogue = std::any_of(rows.begin(), rows.end(), [&](const Fields &row) {
-    return std::any_of(layout.columns.begin(), layout.columns.end(),
-                       [&](size_t i) { return i < row.size() && !row[i].empty() && !isLogic(row[i]); });
-  });
-  double begin, end;
-  if (time.column != TimeColumn::None && (layout.analogue || isCounted) && rows.size() > 1 &&
-      time.read(rows.front(), begin).empty() && time.read(rows.back(), end).empty()) {
-    layout.periodNs = std::abs(end - begin) / static_cast<double>(rows.size() - 1);  // each row is a sample
-    layout.startNs = end < begin ? -begin : begin;  // OWON's times go back, its samples do not
-    time.column = isCounted ? TimeColumn::None : time.column;
+  layout.analogue = areVoltages(rows, layout.signals);
+  if (time.column != TimeColumn::None && (layout.analogue || isCounted) && rows.size() > 1) {
+    measurePeriod(rows, isCounted, layout);
   }
-  layout.names = namesOf(header, layout.columns);
   layout.name = !header.program.empty() ? header.program + " CSV"
                 : layout.analogue       ? OscilloscopeFormat
                                         : "logic analyser's CSV";

@@ -20,8 +20,8 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> word
 // Returns the unit of time in a title, in ns; by default a second.
 double unitOf(std::string_view title);
 
-// Takes a voltage off the front: a number, or an infinity sign, which PicoScope writes beyond its range. Any character
-// beyond ASCII counts as one. Returns false without one.
+// Takes a voltage off the front: a number, 0x and hexadecimal digits, as Rigol writes eight probes, or an infinity sign,
+// which PicoScope writes beyond its range. Any character beyond ASCII counts as one. Returns false without one.
 bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark = '.');
 
 // A column of times: numbers, or timestamps, which count from the first one.
@@ -37,11 +37,16 @@ struct TimeColumn {
   std::string read(const Fields &fields, double &ns);
 };
 
+struct CsvSignal {
+  std::string name;
+  size_t column;
+  int bit = -1;  // in the column's number: Rigol writes eight probes as one; -1: it is a voltage or a level
+};
+
 struct CsvLayout {
   std::string name;  // "PulseView CSV"
   char separator = ',';
-  std::vector<std::string> names;  // the signals'
-  std::vector<size_t> columns;     // the signals'
+  std::vector<CsvSignal> signals;  // by column
   bool analogue = false;           // volts; otherwise 0 and 1
   TimeColumn time;
   // Without a column of times: the time of the first row, and between two rows.

@@ -9,27 +9,153 @@ namespace line {
 
 namespace {
 
+// Returns the level of a probe, 0 or 1; NaN if the number does not hold eight.
+double bitOf(double probes, int bit) {
+  const bool isWord = probes >= 0 && probes <= UINT8_MAX;
+  return isWord ? static_cast<double>(static_cast<unsigned>(probes) >> bit & 1) : NAN;
+}
+
 bool isSkipped(std::string_view row) {
   return row.empty() || row.front() == ';' || row.front() == '#';
 }
 
 }  // namespace
 
-CsvReader::CsvReader(CsvLayout layout, LevelSink &sink) : CaptureReader(sink), _layout(std::move(layout)) {
+CsvReader::CsvReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
+    : CaptureReader(sink), _layout(std::move(layout)), _isGiven(threshold.has_value()) {
   _periodNs = _layout.periodNs;
-  _sink.signals(_layout.names);
-}
-
-std::string CsvReader::put(std::string_view lines) {
-  while (_lines < _layout.headLines && !lines.empty()) {
-    takeLine(lines);
-    _lines++;
+  std::vector<std::string> names;
+  for (const CsvSignal &signal : _layout.signals) {
+    const bool isLevel = !_layout.analogue || signal.bit >= 0;
+    _signals.push_back({AnalogueLevel(isLevel ? 0.5 : threshold), {}});
+    names.push_back(signal.name);
   }
-  return rows(lines);
+  _sink.signals(names);
 }
 
-std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
-  double value = _layout.startNs + static_cast<double>(_row) * _layout.periodNs;
+// First reads all values of these rows, then looks for edges; of voltages it reads a time only at an edge.
+std::string CsvReader::put(std::string_view lines) {
+  for (; _lines < _layout.headLines && !lines.empty(); _lines++) {
+    takeLine(lines);
+  }
+  _rows.clear();
+  for (Signal &signal : _signals) {
+    signal.values.clear();
+  }
+  std::string error;
+  std::string_view last;
+  while (!lines.empty() && error.empty()) {
+    const std::string_view row = takeLine(lines);
+    _lines++;
+    if (isSkipped(row)) {
+      continue;
+    }
+    error = isRepeated(row) ? "" : take(row);
+    if (error.empty()) {
+      last = row;
+      _number++;
+    }
+  }
+  const std::string wrong = tellLevels();
+  _last = wrong.empty() && last.data() != nullptr ? std::string(last) : _last;
+  return wrong.empty() ? error : wrong;
+}
+
+// Most rows of levels are equal to the previous one, and are not read any further.
+bool CsvReader::isRepeated(std::string_view row) const {
+  if (_layout.analogue || _number == 0) {
+    return false;
+  }
+  return _layout.time.column != 0 ? row == _before
+                                  : row.size() > _before.size() && row.substr(row.size() - _before.size()) == _before &&
+                                        (isDigit(row.front()) || row.front() == '-');
+}
+
+// Appends the row and its values.
+std::string CsvReader::take(std::string_view row) {
+  const char *at = row.data();
+  const char *const end = at + row.size();
+  size_t column = 0;
+  bool any = false, isCut = false;  // a row that ends before its first sample is cut, or none
+  const auto skipField = [&] {
+    at = std::find(at, end, _layout.separator);
+    isCut = at == end;
+    at += at < end;
+    column++;
+  };
+  double value = NAN;
+  for (size_t i = 0; i < _signals.size(); i++) {
+    const CsvSignal &signal = _layout.signals[i];
+    if (signal.bit <= 0) {  // otherwise the column is read
+      while (column < signal.column) {
+        skipField();
+      }
+      at = std::find_if(at, end, [](char c) { return c != ' ' && c != '"'; });
+      const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
+      any = any || !isEmpty;
+      value = NAN;
+      std::string wrong = isEmpty ? "" : takeValue(at, end, column, value);
+      if (!wrong.empty()) {
+        return wrong;
+      }
+      skipField();
+    }
+    _signals[i].values.push_back(signal.bit < 0 ? value : bitOf(value, signal.bit));
+  }
+  _rows.push_back({row, _number, _lines});
+  if (!_layout.analogue) {
+    _before = _layout.time.column == 0 ? row.substr(std::min(row.size(), row.find(_layout.separator))) : row;
+  }
+  return {};
+}
+
+// Reads a voltage, or a level as 0 or 1. Returns what is wrong, or nothing.
+std::string CsvReader::takeValue(const char *at, const char *end, size_t column, double &value) const {
+  const bool isLevel = end - at > 1 && at[1] == _layout.separator && (*at == '0' || *at == '1');  // most are
+  value = isLevel ? *at - '0' : NAN;
+  if (isLevel || (_layout.analogue && takeVoltage(at, end, value, _layout.time.decimalMark))) {
+    return {};
+  }
+  const std::string_view field = trimmed({at, static_cast<size_t>(std::find(at, end, _layout.separator) - at)});
+  const char level = field.size() == 1 ? field.front() : field.empty() ? 'x' : '?';
+  value = level == '0' ? 0 : level == '1' ? 1 : NAN;
+  if (!_layout.analogue && at != end && std::string_view("01xXzZ").find(level) != std::string_view::npos) {
+    return {};
+  }
+  const std::string there = "column " + std::to_string(column + 1);
+  return _layout.analogue ? quoted(field) + " is not a voltage: a number is expected in " + there
+         : at == end      ? "the row ends after column " + std::to_string(column) + ": " + there + " is expected"
+                          : quoted(field) + " is not a level: 0 or 1 is expected in " + there;
+}
+
+std::string CsvReader::tellLevels() {
+  for (Signal &signal : _signals) {
+    signal.level.learn(signal.values);
+  }
+  for (size_t i = 0; i < _rows.size(); i++) {
+    int64_t ns = 0;
+    bool hasTime = false;
+    for (size_t s = 0; s < _signals.size(); s++) {
+      Signal &signal = _signals[s];
+      const bool isEdge = signal.level.changes(signal.values[i]);
+      if (!hasTime && (isEdge || !_layout.analogue)) {
+        const std::string wrong = timeOf(_rows[i].text, _rows[i].number, ns);
+        if (!wrong.empty()) {
+          _lines = _rows[i].line;
+          return wrong;
+        }
+        hasTime = true;
+      }
+      if (isEdge) {
+        _sink.level(s, ns, signal.level.isHigh());
+      }
+    }
+  }
+  return {};
+}
+
+std::string CsvReader::timeOf(std::string_view row, uint64_t number, int64_t &ns) {
+  double value = _layout.startNs + static_cast<double>(number) * _layout.periodNs;
   if (_layout.time.column != TimeColumn::None) {
     splitRow(row, _layout.separator, _fields);
     const std::string wrong = _layout.time.read(_fields, value);
@@ -51,132 +177,7 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
 // Most rows' times are never read; the last row's is needed.
 int64_t CsvReader::endNs() {
   int64_t ns;
-  return !_last.empty() && rowTime(_last, ns).empty() ? ns : _endNs;
-}
-
-// Most rows are equal to the previous one, and are not read any further.
-std::string DigitalReader::rows(std::string_view text) {
-  const bool timed = _layout.time.column == 0;
-  std::string_view last = _last;
-  std::string error;
-  while (!text.empty()) {
-    const std::string_view row = takeLine(text);
-    _lines++;
-    if (isSkipped(row)) {
-      continue;
-    }
-    const bool same = timed ? row.size() > _values.size() && row.substr(row.size() - _values.size()) == _values &&
-                                  (isDigit(row.front()) || row.front() == '-')
-                            : row == _values;
-    if (!same || _row == 0) {
-      error = changed(row);
-      if (!error.empty()) {
-        break;
-      }
-      _values = timed ? row.substr(std::min(row.size(), row.find(_layout.separator))) : row;
-    }
-    last = row;
-    _row++;
-  }
-  _last = std::string(last);
-  return error;
-}
-
-std::string DigitalReader::changed(std::string_view row) {
-  int64_t ns;
-  std::string error = rowTime(row, ns);
-  if (!error.empty()) {
-    return error;
-  }
-  splitRow(row, _layout.separator, _fields);
-  for (size_t i = 0; i < _layout.columns.size(); i++) {
-    const size_t column = _layout.columns[i];
-    if (column >= _fields.size()) {
-      return "the row ends after column " + std::to_string(_fields.size()) + ": column " + std::to_string(column + 1) +
-             " is expected";
-    }
-    const std::string_view field = _fields[column];
-    const char level = field.size() == 1 ? field.front() : field.empty() ? 'x' : '?';
-    if (level == '0' || level == '1') {
-      tell(i, level == '1');
-    } else if (std::string_view("xXzZ").find(level) == std::string_view::npos) {
-      return quoted(field) + " is not a level: 0 or 1 is expected in column " + std::to_string(column + 1);
-    }
-  }
-  return {};
-}
-
-AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
-    : CsvReader(std::move(layout), sink),
-      _isGiven(threshold.has_value()),
-      _signals(_layout.columns.size(), Signal{AnalogueLevel(threshold), {}}) {
-}
-
-// First reads all voltages of these rows, then looks for edges; it reads a time only at an edge.
-std::string AnalogueReader::rows(std::string_view text) {
-  _rows.clear();
-  for (Signal &signal : _signals) {
-    signal.volts.clear();
-  }
-  std::string error;
-  while (!text.empty() && error.empty()) {
-    const std::string_view row = takeLine(text);
-    _lines++;
-    error = isSkipped(row) ? "" : takeVolts(row);
-  }
-  for (Signal &signal : _signals) {
-    signal.level.learn(signal.volts);
-  }
-  for (size_t i = 0; i < _rows.size(); i++, _row++) {
-    for (size_t s = 0; s < _signals.size(); s++) {
-      Signal &signal = _signals[s];
-      if (!signal.level.changes(signal.volts[i])) {
-        continue;
-      }
-      int64_t ns;
-      std::string wrong = rowTime(_rows[i], ns);
-      if (!wrong.empty()) {
-        _lines -= _rows.size() - 1 - i;
-        return wrong;
-      }
-      _sink.level(s, ns, signal.level.isHigh());
-    }
-  }
-  if (!_rows.empty()) {
-    _last = _rows.back();
-  }
-  return error;
-}
-
-std::string AnalogueReader::takeVolts(std::string_view row) {
-  const char *at = row.data();
-  const char *end = at + row.size();
-  size_t column = 0;
-  bool any = false, isCut = false;  // a row that ends before its first sample is cut, or none
-  const auto skipField = [&] {
-    at = std::find(at, end, _layout.separator);
-    isCut = at == end;
-    at += at < end;
-  };
-  for (size_t i = 0; i < _signals.size(); i++, column++) {
-    for (; column < _layout.columns[i]; column++) {
-      skipField();
-    }
-    while (at < end && *at == ' ') {
-      at++;
-    }
-    double volts = NAN;
-    const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
-    any = any || !isEmpty;
-    if (!isEmpty && !takeVoltage(at, end, volts, _layout.time.decimalMark)) {
-      const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
-      return quoted(word) + " is not a voltage: a number is expected in column " + std::to_string(column + 1);
-    }
-    _signals[i].volts.push_back(volts);
-    skipField();
-  }
-  _rows.push_back(row);
-  return {};
+  return !_last.empty() && timeOf(_last, _number, ns).empty() ? ns : _endNs;
 }
 
 }  // namespace line

@@ -7,59 +7,42 @@
 
 namespace line {
 
-// The common part of both readers: rows, and their times.
 class CsvReader : public CaptureReader {
  public:
-  CsvReader(CsvLayout layout, LevelSink &sink);
+  // `threshold`: for all voltages; without it, one is found for each signal.
+  CsvReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold);
 
   std::string put(std::string_view lines) override;
   std::string format() const override { return _layout.name; }
   int64_t endNs() override;
-
- protected:
-  // Takes rows with their LF, and counts them in _lines.
-  virtual std::string rows(std::string_view text) = 0;
-
-  // Reads the time of the next row. Returns what is wrong, or nothing.
-  std::string rowTime(std::string_view row, int64_t &ns);
-
-  CsvLayout _layout;
-  Fields _fields;
-  uint64_t _row = 0;  // number of the next row, from 0
-  bool _hasTime = false;  // a row's time was read
-  std::string _last;      // the last good row
-};
-
-class DigitalReader : public CsvReader {
- public:
-  using CsvReader::CsvReader;
-
- private:
-  std::string rows(std::string_view text) override;
-  std::string changed(std::string_view row);
-
-  std::string _values;  // the previous row without its time
-};
-
-class AnalogueReader : public CsvReader {
- public:
-  // `threshold`: for all signals; without it, one is found for each signal.
-  AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold);
-
-  bool needsFullBlocks() const override { return !_isGiven; }
+  bool needsFullBlocks() const override { return _layout.analogue && !_isGiven; }
 
  private:
   struct Signal {
     AnalogueLevel level;
-    std::vector<double> volts;  // of the current rows
+    std::vector<double> values;  // of the current rows: volts, or 0 and 1; NaN if unknown
+  };
+  struct Row {
+    std::string_view text;
+    uint64_t number;  // from 0
+    uint64_t line;
   };
 
-  std::string rows(std::string_view text) override;
-  std::string takeVolts(std::string_view row);
+  bool isRepeated(std::string_view row) const;
+  std::string take(std::string_view row);
+  std::string takeValue(const char *at, const char *end, size_t column, double &value) const;
+  std::string tellLevels();
+  std::string timeOf(std::string_view row, uint64_t number, int64_t &ns);
 
+  CsvLayout _layout;
   const bool _isGiven;  // the threshold was given
   std::vector<Signal> _signals;
-  std::vector<std::string_view> _rows;  // the current ones
+  std::vector<Row> _rows;  // the current ones that are not repeated
+  Fields _fields;
+  uint64_t _number = 0;   // of the next row
+  bool _hasTime = false;  // a row's time was read
+  std::string _before;    // a row of levels that was read, without its time
+  std::string _last;      // the last good row
 };
 
 }  // namespace line

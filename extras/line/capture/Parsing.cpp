@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "line/recording/WallTime.h"
 
@@ -94,9 +95,11 @@ double periodOf(std::string_view rate) {
   if (!takeNumber(at, end, number) || number <= 0) {
     return 0;
   }
+  constexpr std::pair<std::string_view, double> Units[] = {
+      {"", 1}, {"hz", 1}, {"khz", 1e3}, {"mhz", 1e6}, {"ghz", 1e9}, {"sa/s", 1}, {"ksa/s", 1e3}, {"msa/s", 1e6}, {"gsa/s", 1e9}};
   const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
-  const double hertz = unit == "ghz" ? 1e9 : unit == "mhz" ? 1e6 : unit == "khz" ? 1e3 : 1;
-  return 1e9 / (number * hertz);
+  const auto *const known = std::find_if(std::begin(Units), std::end(Units), [&unit](const auto &each) { return each.first == unit; });
+  return known == std::end(Units) ? 0 : 1e9 / (number * known->second);
 }
 
 bool parseTimestamp(std::string_view word, int64_t &ns) {

@@ -287,9 +287,9 @@ std::string ByteText::read(std::string_view line, TextBytes &bytes) const {
   if (_isBare && countWords(text) == 0 && countWords(words) > 0) {
     return quoted(takeWord(words)) + Expected;
   }
-  forEachWord(text, [&](std::string_view word, size_t column) {
+  const auto take = [&](std::string_view word, size_t column) {
     const size_t from = bytes.size();
-    if (!readNumber(word, column > 0 && text[column - 1] == '-', bytes)) {
+    if (!readNumber(word, column > 0 && word.data()[-1] == '-', bytes)) {
       wrong = quoted(word) + (_base == 16 ? Expected : " is not a byte; numbers up to 255 are expected");
       return false;
     }
@@ -297,7 +297,12 @@ std::string ByteText::read(std::string_view line, TextBytes &bytes) const {
       std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end());
     }
     return true;
-  });
+  };
+  bool goesOn = forEachWord(text, take) && _isList && !hasOffsets() && !text.empty();
+  std::string_view rest = goesOn ? line.substr(static_cast<size_t>(text.data() + text.size() - line.data())) : "";
+  for (std::string_view list = takeList(rest); goesOn && !list.empty(); list = takeList(rest)) {
+    goesOn = forEachWord(list, take);
+  }
   return wrong;
 }
 

@@ -121,6 +121,16 @@ std::string_view listOf(std::string_view text) {
   return {};
 }
 
+std::string_view takeList(std::string_view &rest) {
+  const size_t open = rest.find_first_not_of("]}), \t");
+  if (open == 0 || open >= rest.size() || !isOneOf(rest[open], "[{(")) {
+    return {};
+  }
+  const std::string_view list = rest.substr(open + 1, rest.find_first_of("[]{}()<>", open + 1) - open - 1);
+  rest.remove_prefix(open + 1 + list.size());
+  return countWords(list) > 1 && areNumbers(list) ? list : std::string_view();
+}
+
 std::string_view plain(std::string_view text) {
   text = withoutBlanks(text);
   if (text.substr(0, 2) == "\x1b[" && text.find('m') != std::string_view::npos) {

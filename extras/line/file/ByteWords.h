@@ -44,6 +44,9 @@ bool isPrefix(std::string_view word);
 // Returns the text from where a list begins: after a bracket that two numbers or more follow, or all of it.
 std::string_view listOf(std::string_view text);
 
+// Takes the next list off what follows a list: "], [15, 119]]". Returns nothing if no list follows.
+std::string_view takeList(std::string_view &rest);
+
 // Returns the text without blanks around it and without colours.
 std::string_view plain(std::string_view text);
 

@@ -4,7 +4,6 @@
 
 #include "line/capture/PackedFile.h"
 #include "line/capture/SampleReaders.h"
-#include "line/capture/PackedFile.h"
 #include "line/file/FileHead.h"
 
 namespace line {
@@ -66,8 +65,9 @@ CaptureEnd readCapture(const std::string &path, const std::string &name, const O
     }
     begin += read;
   }
-  const std::string other = whyNoCapture(kindOfText(begin), begin);
-  if (!other.empty()) {
+  const FileKind kind = kindOfText(begin);
+  const std::string other = whyNoCapture(kind, begin);
+  if (!other.empty() && kind != FileKind::Text) {  // a pipe's first line may look like bytes
     throw std::runtime_error(name + ": " + other);
   }
   bool goesOn = text.put(begin);
@@ -76,7 +76,7 @@ CaptureEnd readCapture(const std::string &path, const std::string &name, const O
   }
   CaptureEnd end = text.finish(file.failure());
   if (!end.rejection.empty()) {
-    throw std::runtime_error(end.rejection);
+    throw std::runtime_error(other.empty() ? end.rejection : name + ": " + other);
   }
   return end;
 }

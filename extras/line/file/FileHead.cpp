@@ -94,8 +94,13 @@ FileKind kindOfText(std::string_view text) {
 
 std::string whyNoCapture(FileKind kind, std::string_view begin) {
   const bool isOne = kind == FileKind::Recording && isRecording(begin);
+  // A column of voltages, which --sample-rate tells the times of, may look like bytes as well.
+  std::string_view text = withoutBlanks(begin), words = takeLine(text);
+  takeWord(words);
+  const bool isColumn = takeWord(words).empty() && !ByteText(begin, true).hasFrames();
+  const bool areBytes = kind == FileKind::Bytes || (kind == FileKind::Text && !isColumn);
   const char *const what = isOne                     ? "a recording of characters"
-                           : kind == FileKind::Bytes ? "bytes"
+                           : areBytes                ? "bytes"
                            : kind == FileKind::Json  ? "JSON lines"
                            : kind == FileKind::Table ? "a table of frames"
                                                      : nullptr;
@@ -170,7 +175,12 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
     const BytesReader reader(begin, kind == FileKind::Text, head.settings);
     head.note = reader.note();
     head.error = reader.error();
-    head.damage = reader.damage();
+    const std::string damage = reader.damage();
+    if (const size_t end = damage.find("; "); end != std::string::npos) {
+      head.damage = "Changed bytes: " + damage.substr(0, end) + ".";
+      head.damageRemedy = damage.substr(end + 2) + ".";
+      head.damageRemedy[0] = static_cast<char>(head.damageRemedy[0] - 'a' + 'A');
+    }
     head.kind = head.error.empty() ? kind : FileKind::Wrong;
   } else if (kind != FileKind::Capture) {
     const std::unique_ptr<LineReader> reader = makeReader(head);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "line/file/ByteWords.h"
-#include "line/file/Units.h"
 #include "line/Format.h"
 #include "line/FrameBytes.h"
 #include "line/recording/Recording.h"
@@ -61,31 +60,19 @@ std::string quoted(const std::string &name, const Object &value) {
   return name + ": " + value.dump(-1, ' ', false, Object::error_handler_t::replace).substr(0, 40);
 }
 
-// Reads the channels, in any unit. Returns what is wrong, or nothing.
-std::string channelsOf(const Object &object, const sbus::Range &range, std::vector<uint16_t> &raw) {
-  const Object *values = nullptr;
-  Unit unit = Unit::Raw;
-  for (const Unit each : {Unit::Raw, Unit::Us, Unit::Percent}) {
-    const auto found = object.find(fieldOf(each));
-    if (found != object.end() && values != nullptr) {
-      return std::string("has ") + fieldOf(unit) + " and " + fieldOf(each) + "; leave one of them out";
-    }
-    if (found != object.end()) {
-      values = &*found;
-      unit = each;
-    }
-  }
-  if (values == nullptr || !values->is_array() || (values->size() != 16 && values->size() != 24)) {
-    return "a frame has channels, us or percent: an array of 16 numbers, or of 24";
+// Reads the channels. Returns what is wrong, or nothing.
+std::string channelsOf(const Object &object, std::vector<uint16_t> &raw) {
+  const auto values = object.find("channels");
+  if (values == object.end() || !values->is_array() || (values->size() != 16 && values->size() != 24)) {
+    return "a frame has channels: an array of 16 numbers, or of 24";
   }
   for (size_t i = 0; i < values->size(); i++) {
     const Object &value = (*values)[i];
-    const std::optional<uint16_t> one = value.is_number() ? rawOf(value.get<double>(), unit, range) : std::nullopt;
-    if (!one) {
-      return quoted(format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " +
-             extentOf(unit, range);
+    const double number = value.is_number() ? value.get<double>() : -1;
+    if (!(number >= 0 && number <= sbus::ChannelMax && number == std::floor(number))) {
+      return quoted(format("channels[%u]", static_cast<unsigned>(i)), value) + " is not a whole number from 0 to 2047";
     }
-    raw.push_back(*one);
+    raw.push_back(static_cast<uint16_t>(number));
   }
   return {};
 }
@@ -105,9 +92,9 @@ bool endOf(const Object &object, uint8_t &end) {
 }
 
 // Reads a frame. Returns what is wrong, or nothing.
-std::string frameOf(const Object &object, const sbus::Range &range, std::vector<Character> &characters) {
+std::string frameOf(const Object &object, std::vector<Character> &characters) {
   std::vector<uint16_t> channels;
-  const std::string wrong = channelsOf(object, range, channels);
+  const std::string wrong = channelsOf(object, channels);
   if (!wrong.empty()) {
     return wrong;
   }
@@ -183,22 +170,6 @@ void takeLineObject(const Object &object, JsonHead &head) {
   }
 }
 
-// Reads the object's range, three raw values; without one, `range` stays. Returns false if it is wrong.
-bool rangeOf(const Object &object, sbus::Range &range) {
-  const auto named = object.find("range");
-  if (named == object.end()) {
-    return true;
-  }
-  const auto isRaw = [](const Object &value) {
-    return value.is_number_unsigned() && value.get<uint64_t>() <= sbus::ChannelMax;
-  };
-  if (!named->is_array() || named->size() != 3 || !std::all_of(named->begin(), named->end(), isRaw)) {
-    return false;
-  }
-  range = {(*named)[0].get<uint16_t>(), (*named)[1].get<uint16_t>(), (*named)[2].get<uint16_t>()};
-  return isRange(range.low, range.centre, range.high);
-}
-
 bool isLineType(const std::string &type) {
   return type == "frame" || type == "no_frame" || type == "slot";
 }
@@ -272,15 +243,12 @@ std::string JsonReader::take(const std::string &object, std::deque<Character> &c
     return line::quoted(object) + " is not a JSON object; " + Expected;
   }
   const std::string type = typeOf(read);
-  if (type == "line" && !rangeOf(read, _range)) {
-    return quoted("range", read["range"]) + " is not three raw values such as [172,992,1811]";
-  }
   _hasEnded = type == "end";
   if (!isLineType(type)) {
     return {};
   }
   std::vector<Character> came;
-  const std::string wrong = type == "frame"  ? frameOf(read, _range, came)
+  const std::string wrong = type == "frame"  ? frameOf(read, came)
                             : type == "slot" ? slotOf(read, came)
                                              : bytesOf(read, came);
   std::optional<double> us;

@@ -12,7 +12,6 @@
 #include "line/file/LineReader.h"
 #include "line/file/LineSplitter.h"
 #include "line/LineSettings.h"
-#include "sbus/Scaling.h"
 
 namespace line {
 
@@ -67,7 +66,6 @@ class JsonReader : public FrameReader {
 
   JsonSplitter _splitter;
   bool _hasEnded = false;  // an object of type end came
-  sbus::Range _range = sbus::FrSky;
 };
 
 }  // namespace line

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <utility>
 
 #include "line/Observer.h"
 
@@ -17,10 +19,6 @@ Counts countsOf(std::string_view bytes) {
     counts[static_cast<uint8_t>(c)]++;
   }
   return counts;
-}
-
-bool isHigh(char c) {
-  return static_cast<uint8_t>(c) >= 0x80;
 }
 
 // What the bytes have in UTF-8: characters up to FF, which stand for a byte, other ones, and what is not UTF-8.
@@ -46,8 +44,8 @@ struct Utf8 {
   }
 };
 
-// Returns the number of frames, each followed directly by the next.
-unsigned long framesIn(std::string_view bytes) {
+// Returns how many frames are in bytes that follow each other directly, and how many bytes belong to none.
+std::pair<unsigned long, unsigned long> read(std::string_view bytes) {
   Observer observer;
   Character character;
   for (const char c : bytes) {
@@ -56,17 +54,17 @@ unsigned long framesIn(std::string_view bytes) {
     observer.put(character);
   }
   observer.finish();
-  return observer.counters().frames;
+  return {observer.counters().frames, observer.discardedBytes()};
 }
 
-// Returns how many frames lack up to six bytes: how often a header follows flags and an end byte that much too early.
-unsigned long shortFramesIn(std::string_view bytes) {
+// Returns how often a header follows flags and an end byte, this many bytes after the one before.
+unsigned long headersIn(std::string_view bytes, size_t least, size_t most) {
   unsigned long count = 0;
   size_t before = 0;
   for (size_t i = 1; i < bytes.size(); i++) {
     const bool begins = bytes[i] == sbus::HeaderByte && sbus::isEndByte(static_cast<uint8_t>(bytes[i - 1])) &&
                         sbus::isFlagsByte(static_cast<uint8_t>(bytes[i > 1 ? i - 2 : 0]));
-    count += begins && i - before >= sbus::FrameSize - 6 && i - before < sbus::FrameSize;
+    count += begins && i - before >= least && i - before <= most;
     before = begins ? i : before;
   }
   return count;
@@ -77,7 +75,7 @@ unsigned long shortFramesIn(std::string_view bytes) {
 Mangled::Mangled(std::string_view head) {
   constexpr size_t Enough = 8;  // of what does not come by chance
   const Counts counts = countsOf(head);
-  const auto high = static_cast<size_t>(std::count_if(head.begin(), head.end(), isHigh));
+  const size_t high = std::accumulate(counts.begin() + 0x80, counts.end(), size_t{0});
   const Utf8 utf8(head);
   if (high >= Enough && utf8.wrong == 0 && utf8.bytes + utf8.others >= Enough / 2) {
     _isLost = utf8.others > 0;
@@ -87,8 +85,9 @@ Mangled::Mangled(std::string_view head) {
                     : "its bytes went through UTF-8, which is undone: a program took them for text";
     return;
   }
-  const unsigned long frames = framesIn(head);
-  if (high == 0 && frames >= 2 && head.size() - counts[0] - counts[sbus::HeaderByte] > frames * Enough) {
+  const auto [frames, discarded] = read(head);
+  const unsigned long likely = std::max(frames, headersIn(head, sbus::FrameSize, sbus::FrameSize));
+  if (high == 0 && likely >= 2 && head.size() - counts[0] - counts[sbus::HeaderByte] > likely * Enough) {
     _isLost = true;
     _what = "no byte is above 7F: bit 7 was stripped, and the channels are wrong; set the port of the program that wrote "
             "it to 8 data bits";
@@ -98,19 +97,20 @@ Mangled::Mangled(std::string_view head) {
   for (size_t i = 1; i < head.size(); i++) {
     pairs += head[i - 1] == '\r' && head[i] == '\n';
   }
-  if (pairs >= 2 && pairs == counts['\n']) {
+  if (pairs >= 1 && pairs == counts['\n']) {
     _change = Change::CrLf;
     std::string undone;
     undo(head, undone);
     _held = 0;
-    if (framesIn(undone) > frames) {
+    const auto [better, left] = read(undone);
+    if (better >= frames && left < discarded) {
       _what = "each 0A became 0D 0A, which is undone: a program took the bytes for text";
       return;
     }
     _change = Change::None;
   }
   constexpr uint8_t Xon = 0x11, Xoff = 0x13;
-  const unsigned long shorts = shortFramesIn(head);
+  const unsigned long shorts = headersIn(head, sbus::FrameSize - 6, sbus::FrameSize - 1);
   if (counts[Xon] + counts[Xoff] == 0 && shorts >= 3 && 10 * shorts > frames) {
     _what = "11 and 13 are missing throughout, and frames are too short: they are taken for XON and XOFF; turn software "
             "flow control off in the program that wrote it";

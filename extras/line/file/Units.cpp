@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line/Format.h"
 #include "line/capture/Parsing.h"
 #include "sbus/Frame.h"
 
@@ -32,10 +31,6 @@ double exactRawOf(double value, Unit unit, const sbus::Range &range) {
 
 }  // namespace
 
-const char *fieldOf(Unit unit) {
-  return unit == Unit::Raw ? "channels" : unit == Unit::Us ? "us" : "percent";
-}
-
 double valueOf(uint16_t raw, Unit unit, const sbus::Range &range) {
   return unit == Unit::Raw ? raw : unit == Unit::Us ? raw * 5 / 8.0 + 880 : percentOf(raw, range);
 }
@@ -45,14 +40,6 @@ std::optional<uint16_t> rawOf(double value, Unit unit, const sbus::Range &range)
   const bool isWhole = unit != Unit::Raw || value == raw;
   return isWhole && raw >= 0 && raw <= sbus::ChannelMax ? std::optional<uint16_t>(static_cast<uint16_t>(raw))
                                                         : std::nullopt;
-}
-
-std::string extentOf(Unit unit, const sbus::Range &range) {
-  if (unit == Unit::Raw) {
-    return "a whole number from 0 to 2047";
-  }
-  const double one = valueOf(0, unit, range), other = valueOf(sbus::ChannelMax, unit, range);
-  return format("a number from %.1f to %.1f", std::min(one, other), std::max(one, other));
 }
 
 bool isRange(unsigned low, unsigned centre, unsigned high) {

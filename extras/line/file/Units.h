@@ -11,17 +11,11 @@ namespace line {
 
 enum class Unit { Raw, Us, Percent };
 
-// Returns the name of the unit's field in JSON: "channels", "us" or "percent".
-const char *fieldOf(Unit unit);
-
 // Converts a raw value. Microseconds are 5 * raw / 8 + 880 for any make; 0 % and +-100 % are the points of `range`.
 double valueOf(uint16_t raw, Unit unit, const sbus::Range &range);
 
 // Returns the nearest raw value; nothing if it is outside 0 to 2047, or if a raw value is not a whole number.
 std::optional<uint16_t> rawOf(double value, Unit unit, const sbus::Range &range);
-
-// Returns the values that rawOf() takes: "a whole number from 0 to 2047".
-std::string extentOf(Unit unit, const sbus::Range &range);
 
 // Returns true if these can be the raw values at -100, 0 and +100 %: 0 to 2047, rising or falling.
 bool isRange(unsigned low, unsigned centre, unsigned high);

@@ -58,6 +58,20 @@ bool mayHaveFlags(size_t columns) {
 
 }  // namespace
 
+std::string withCommas(std::string_view row) {
+  std::string text(withoutBlanks(row));
+  const size_t separator = text.find(text.find(';') == std::string::npos ? '\t' : ';');
+  if (separator == std::string::npos) {
+    return text;
+  }
+  const char mark = text[separator];
+  for (size_t i = 0; i < text.size(); i++) {
+    const bool isDecimal = text[i] == ',' && i > 0 && isDigit(text[i - 1]) && i + 1 < text.size() && isDigit(text[i + 1]);
+    text[i] = isDecimal ? '.' : text[i] == ',' ? ' ' : text[i] == mark ? ',' : text[i];
+  }
+  return text;
+}
+
 LineSettings csvSettings() {
   LineSettings settings;
   settings.baud = 115200;
@@ -103,31 +117,24 @@ CsvKind CsvRows::kind(size_t column) const {
                                 : (isLast ? CsvKind::Switch18 : CsvKind::Switch17);
 }
 
-// Splits at commas; without any at tabs; otherwise at blanks.
+// Splits at commas, semicolons or tabs; without any at blanks.
 void CsvRows::split() {
   _row.clear();
-  std::string_view rest = withoutBlanks(_line);
-  const bool commas = rest.find(',') != std::string_view::npos;
-  const bool tabs = rest.find('\t') != std::string_view::npos;
-  _isTable = commas || rest.find(':') != std::string_view::npos;
-  while (_row.size() < ColumnsMax) {
-    if (!commas && !tabs) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-      if (rest.empty() && !_row.empty()) {
-        break;
-      }
-    }
-    const size_t end = rest.find(commas ? ',' : tabs ? '\t' : ' ');
-    _row.push_back(fieldOf(rest.substr(0, end)));
-    if (end == std::string_view::npos) {
-      break;
-    }
-    rest.remove_prefix(end + 1);
+  const std::string plain = withCommas(_line);
+  std::string_view rest = plain;
+  const bool hasCommas = plain.find(',') != std::string::npos;
+  for (bool goesOn = true; goesOn && _row.size() < ColumnsMax;) {
+    const size_t comma = rest.find(',');
+    _row.push_back(fieldOf(hasCommas ? rest.substr(0, comma) : takeWord(rest)));
+    goesOn = hasCommas ? comma != std::string_view::npos : !rest.empty();
+    rest.remove_prefix(hasCommas && goesOn ? comma + 1 : 0);
   }
 }
 
 void CsvRows::endLine() {
   split();
+  const bool hasLong = std::any_of(_row.begin() + 1, _row.end(), [](const CsvField &field) { return field.text.size() > 2; });
+  _isTable = _line.find_first_of(",;:") != std::string::npos || (hasLong && _line.find('\t') != std::string::npos);
   _isRow = _text && std::all_of(_row.begin(), _row.end(), [](const CsvField &field) { return field.isNumber; });
   _isText = _text && _line.size() >= LeastText;
   const size_t columns = _isRow ? _row.size() : 0;

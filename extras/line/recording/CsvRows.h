@@ -1,10 +1,11 @@
 // The rows of numbers that a sketch prints for serial plotters: 1048,992,172,992,0,1 or 1048 992 or
-// throttle:172,roll:992, with commas, tabs or blanks. A row ends with \n, \r\n, or \r as in the paper.
+// throttle:172,roll:992, with commas, semicolons, tabs or blanks. A row ends with \n, \r\n, or \r as in the paper.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "line/Line.h"
@@ -20,6 +21,10 @@ struct CsvField {
 };
 
 using CsvRow = std::vector<CsvField>;
+
+// Returns a row with commas between its fields, and decimal points: spreadsheets in German, for example, write
+// 0,009;1500. After a semicolon or beside a tab, a comma between digits is a decimal one.
+std::string withCommas(std::string_view row);
 
 enum class CsvKind { Channel, Failsafe, LostFrame, Switch17, Switch18 };
 
@@ -46,7 +51,8 @@ class CsvRows {
   // Returns how many bytes so far were not text: many if the baud rate is wrong.
   unsigned garbled() const { return _garbled; }
 
-  // Returns true if the newest line has a comma or a name, which no line of a recording has.
+  // Returns true if the newest line has what no line of a recording has: a comma, a semicolon, a name, or a number of
+  // three digits or more after a tab.
   bool isTable() const { return _isTable; }
 
   // Returns true if the newest line is a sketch's row: one or more fields, all numbers.

@@ -14,18 +14,15 @@ namespace {
 
 // Returns true for a line of column names that begins with a channel: "CH1,CH2".
 bool beginsWithChannel(std::string_view text) {
-  size_t digits = 2;
-  while (digits < text.size() && isDigit(text[digits])) {
-    digits++;
-  }
-  return lower(text.substr(0, 2)) == "ch" && digits > 2 && digits < text.size() &&
-         (text[digits] == ',' || text[digits] == '\r' || text[digits] == '\n');
+  const std::string_view first = text.substr(0, text.find_first_of(",;\t\r\n"));
+  return first.size() > 2 && first.size() < text.size() && lower(first.substr(0, 2)) == "ch" &&
+         std::all_of(first.begin() + 2, first.end(), isDigit);
 }
 
 }  // namespace
 
 bool hasTimeColumn(std::string_view text) {
-  const std::string_view first = text.substr(0, text.find(','));
+  const std::string_view first = text.substr(0, text.find_first_of(",;\t"));
   return first == "time" || first == "seconds";
 }
 

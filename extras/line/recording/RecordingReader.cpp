@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "line/recording/CsvRows.h"
 #include "line/recording/Words.h"
 
 namespace line {
@@ -105,7 +106,8 @@ std::string RecordingReader::news() {
 std::string RowsReader::line(std::string_view text, std::deque<Character> &characters) {
   constexpr uint64_t RowUs = 200000;
   constexpr uint32_t AtOnceUs = 1;  // makes room for 111 rows a second with 32 numbers each
-  text = _any ? text : withoutMark(text);
+  const std::string plain = withCommas(_any ? text : withoutMark(text));
+  text = plain;
   const size_t comma = text.find(',');
   _hasTimes = _hasTimes || (!_any && hasTimeColumn(text));
   const bool isTimed = _hasTimes && comma != std::string_view::npos;

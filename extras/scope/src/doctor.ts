@@ -42,10 +42,13 @@ export class Doctor {
   }
 
   private ofLine(status: Status, newest?: Stretch): Verdict {
-    const { live, failure } = this.source.line;
+    const { live, failure, file } = this.source.line;
     const problem = failure ?? live?.problem;
     if (problem) {
       return { ...problem, severity: 'alarm' };
+    }
+    if (file.damage?.length) {
+      return { text: file.damage[0], remedy: file.damage[1], severity: 'alarm' };
     }
     if (status.rows > 0 || (status.otherLines > 0 && status.frames === 0)) {
       return ofBoard(status, this.of(Finding.Failsafe));

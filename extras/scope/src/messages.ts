@@ -211,9 +211,9 @@ export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string; remedy?: string }
   | { kind: 'refused' } // the worker does not find the port, or the line beside it
-  // Of a file: what carries the line in a capture; its signals with S.Bus, that one first; what a user should know; its own time at time 0, not above 0; when time 0 was, in us since
+  // Of a file: what carries the line in a capture; its signals with S.Bus, that one first; what a user should know; what is wrong with its bytes, and what to do; its own time at time 0, not above 0; when time 0 was, in us since
   // 1970; the bookmarks of a plain text.
-  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture }
+  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture }
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }

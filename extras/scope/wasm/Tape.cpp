@@ -223,6 +223,12 @@ EXPORT(fileNote)()->const char * {
   return head.note.c_str();
 }
 
+// Returns what is wrong with its bytes and what to do, a line each; or "".
+EXPORT(fileDamage)()->const char * {
+  words = head.damage.empty() ? "" : head.damage + '\n' + head.damageRemedy;
+  return words.c_str();
+}
+
 // Returns the file's own time at time 0 of its characters, in us: below 0 if it begins before its trigger.
 EXPORT(recordingZeroUs)()->double {
   return static_cast<double>(tape.zeroUs);

@@ -17,6 +17,7 @@ export class Tape {
   carrier = ''; // of a capture: the signal that carries the line
   signals: string[] = []; // of a capture: those that carry S.Bus, this one first
   note = ''; // what a user should know of the file
+  damage: string[] = []; // what is wrong with its bytes, and what to do
   zeroUs = 0; // the file's own time at time 0, not above 0
   private readonly native: Native;
 
@@ -47,6 +48,7 @@ export class Tape {
       this.carrier = this.native.words(calls.carrier());
       this.signals = this.native.words(calls.signals()).split('\n').filter(Boolean);
       this.note = this.native.words(calls.fileNote());
+      this.damage = this.native.words(calls.fileDamage()).split('\n').filter(Boolean);
       this.zeroUs = calls.recordingZeroUs();
       this.bookmarks = isZip || isGzip || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
     }

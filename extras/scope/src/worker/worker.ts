@@ -341,9 +341,9 @@ async function open({ wasm, file, signal }: Extract<Request, { kind: 'open' }>):
       answer({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, signals, note, zeroUs, startUs, bookmarks } = tape;
+    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks } = tape;
     playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, carrier, signals, note, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
+    answer({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });

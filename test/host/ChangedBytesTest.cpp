@@ -1,0 +1,125 @@
+// Bytes that another program changed on their way to a file: it is undone, or named; no frame is one that nobody sent.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "line/Observer.h"
+#include "line/file/FileHead.h"
+#include "line/simulation/Random.h"
+#include "support/BitByBit.h"
+
+namespace {
+
+constexpr size_t Frames = 40;
+
+using Bytes = std::string;
+
+// Sticks that move a little from frame to frame around values that every flight has.
+std::vector<Bytes> flight(uint64_t seed) {
+  line::Random random(seed);
+  Channels channels{};
+  for (size_t i = 0; i < 16; i++) {
+    channels[i] = static_cast<uint16_t>(172 + random.below(1640));
+  }
+  std::vector<Bytes> frames;
+  while (frames.size() < Frames) {
+    for (size_t i = 0; i < 4; i++) {
+      channels[i] = static_cast<uint16_t>(std::clamp<int>(channels[i] + static_cast<int>(random.below(61)) - 30, 172, 1811));
+    }
+    const Frame frame = writeBitByBit(channels);
+    frames.emplace_back(frame.begin(), frame.end());
+  }
+  return frames;
+}
+
+Bytes replaced(const Bytes &bytes, Bytes (*each)(char)) {
+  Bytes changed;
+  for (const char c : bytes) {
+    changed += each(c);
+  }
+  return changed;
+}
+
+Bytes utf8(char c) {
+  const auto value = static_cast<uint8_t>(c);
+  return value < 0x80 ? Bytes(1, c) : Bytes{static_cast<char>(0xC0 | value >> 6), static_cast<char>(0x80 | (value & 0x3F))};
+}
+
+// The frames that a file of these bytes shows.
+std::vector<Bytes> framesIn(const line::FileHead &head, const Bytes &bytes) {
+  std::vector<Bytes> frames;
+  line::Observer observer;
+  observer.listen([&frames](const line::Stretch &stretch) {
+    if (stretch.kind == line::Stretch::Kind::Frame || stretch.kind == line::Stretch::Kind::Frame24) {
+      frames.emplace_back();
+      for (const line::Character &each : stretch.characters) {
+        frames.back() += static_cast<char>(each.value);
+      }
+    }
+  });
+  std::deque<line::Character> characters;
+  const std::unique_ptr<line::LineReader> reader = line::makeReader(head);
+  reader->line(bytes, characters);
+  reader->finish(characters);
+  for (const line::Character &each : characters) {
+    observer.put(each);
+  }
+  observer.finish();
+  return frames;
+}
+
+}  // namespace
+
+TEST_CASE("bytes that another program changed are undone or named, and every frame is one that was sent") {
+  constexpr uint64_t Files = 300;
+  const auto replacement = [](char c) { return c < 0 ? Bytes("\xEF\xBF\xBD") : Bytes(1, c); };
+  const auto crLf = [](char c) { return c == '\n' ? Bytes("\r\n") : Bytes(1, c); };
+  const auto stripped = [](char c) { return Bytes(1, static_cast<char>(c & 0x7F)); };
+  const auto withoutFlow = [](char c) { return c == 0x11 || c == 0x13 ? Bytes() : Bytes(1, c); };
+  // All: each file of 40 frames shows 40. Whole: those that were not changed, and the file is named if it lacks five or more.
+  enum class Shown { All, Whole, None };
+  const struct {
+    const char *what;
+    Bytes (*each)(char);
+    Shown shown;
+    const char *said;
+  } rows[] = {
+      {"nothing", [](char c) { return Bytes(1, c); }, Shown::All, ""},
+      {"UTF-8", utf8, Shown::All, "its bytes went through UTF-8, which is undone: a program took them for text"},
+      {"UTF-8 of ASCII alone", replacement, Shown::None, "its bytes went through UTF-8, and those from 80 up are lost"},
+      {"LF to CR LF", crLf, Shown::All, ""},
+      {"no bit 7", stripped, Shown::None, "no byte is above 7F: bit 7 was stripped"},
+      {"no XON, no XOFF", withoutFlow, Shown::Whole, "11 and 13 are missing throughout, and frames are too short"},
+  };
+  for (const auto &row : rows) {
+    INFO(std::string(row.what));
+    unsigned wrong = 0, fewer = 0, silent = 0;
+    for (uint64_t seed = 1; seed <= Files; seed++) {
+      const std::vector<Bytes> sent = flight(seed);
+      Bytes bytes;
+      size_t whole = 0;
+      for (const Bytes &each : sent) {
+        bytes += replaced(each, row.each);
+        whole += row.shown == Shown::All || replaced(each, row.each) == each;
+      }
+      const line::FileHead head = line::readFileHead(bytes, "file.bin");
+      const bool isNone = head.kind == line::FileKind::Wrong;
+      CHECK(isNone == (row.shown == Shown::None));
+      const std::vector<Bytes> got = isNone ? std::vector<Bytes>() : framesIn(head, bytes);
+      wrong += std::any_of(got.begin(), got.end(), [&sent](const Bytes &each) {
+        return std::find(sent.begin(), sent.end(), each) == sent.end();
+      });
+      fewer += row.shown != Shown::None && got.size() != whole;
+      const bool mustSay = row.shown == Shown::None || (row.shown == Shown::Whole && whole + 4 < Frames);
+      silent += mustSay && (head.error + head.damage).find(row.said) == std::string::npos;
+      CHECK((row.shown != Shown::All || head.damage.empty()));
+    }
+    CHECK(wrong == 0);
+    CHECK(fewer <= 2);  // frames back to back that look like others from a place within
+    CHECK(silent <= 1);
+  }
+}
