@@ -96,8 +96,8 @@ TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was l
     }
   }
   flight.finish();
-  CHECK(flight.framesPerSecond() == doctest::Approx(111.1).epsilon(0.02));
-  CHECK(flight.missing() == 37);
+  CHECK(flight.rate().perSecond() == doctest::Approx(111.1).epsilon(0.02));
+  CHECK(flight.rate().missing() == 37);
   const std::vector<line::FlightRating> worst = line::worstSeconds(flight, 3);
   REQUIRE(worst.size() == 2);  // the span of failsafe is listed elsewhere
   CHECK(worst[0].fromUs == 3000000);

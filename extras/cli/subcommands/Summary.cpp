@@ -79,11 +79,11 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
     text += all.empty() && each.isRare ? "" : tool::text(each.name, all, zeroUs);
   }
   unsigned long most = 1;
-  for (const auto &[ms, count] : flight.intervals()) {
+  for (const auto &[ms, count] : flight.rate().intervals()) {
     most = std::max(most, count);
   }
   text += "intervals from the end of a frame to the end of the next, in ms\n";
-  for (const auto &[ms, count] : flight.intervals()) {
+  for (const auto &[ms, count] : flight.rate().intervals()) {
     text += line::format("%12llu %9lu  ", static_cast<unsigned long long>(ms), count) +
             std::string((count * BarMost + most - 1) / most, '#') + '\n';
   }
@@ -126,7 +126,7 @@ std::string json(const line::FlightLog &flight, const SourceOption &source) {
     for (const Listed &each : AllListed) {
       lines += json(each.type, flight.spans(each.kind), source.zeroUs());
     }
-    for (const auto &[ms, count] : flight.intervals()) {
+    for (const auto &[ms, count] : flight.rate().intervals()) {
       lines += Json("interval").number("ms", ms).number("count", count).line();
     }
   }
@@ -215,8 +215,8 @@ void addSummary(CLI::App &app) {
           .type("FILE.html");
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. PC late: a port was read 0.1 s late or "
-      "more, so the line's state in that time is unknown.");
+      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. PC late: bytes came 0.1 s late or "
+      "more, from a busy PC or a stalled adapter, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

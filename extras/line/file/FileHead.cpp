@@ -200,7 +200,7 @@ FileHead readFileHead(std::string_view begin, const std::string &name, unsigned 
   return headOfText(kindOfText(text), text, baud);
 }
 
-std::unique_ptr<LineReader> makeReader(const FileHead &head) {
+std::unique_ptr<LineReader> makeReader(const FileHead &head, bool isWhole) {
   switch (head.kind) {
     case FileKind::Json:
       return std::make_unique<JsonReader>(head.settings);
@@ -210,7 +210,7 @@ std::unique_ptr<LineReader> makeReader(const FileHead &head) {
     case FileKind::Text:
       return std::make_unique<BytesReader>(head.begin, head.kind == FileKind::Text, head.settings);
     case FileKind::Recording:
-      return std::make_unique<RecordingReader>(head.settings.characterUs());
+      return std::make_unique<RecordingReader>(head.settings.characterUs(), isWhole);
     case FileKind::Rows:
       return std::make_unique<RowsReader>(head.settings.characterUs());
     case FileKind::Capture:

@@ -11,6 +11,7 @@
 #include "line/report/Curves.h"
 #include "line/report/DetectedVariant.h"
 #include "line/report/FlagSpans.h"
+#include "line/report/FrameRate.h"
 
 namespace line {
 
@@ -44,18 +45,10 @@ class FlightLog {
   // Returns the spans of a kind in order.
   std::vector<FlagSpan> spans(FlagSpan::Kind kind) const;
 
-  // Returns the number of frames for each interval, in rounded milliseconds, from the end of the previous frame.
-  const std::map<uint64_t, unsigned long> &intervals() const { return _intervals; }
-
   // Returns the seconds with frames, by number.
   const std::map<uint64_t, FlightSecond> &seconds() const { return _seconds; }
 
-  // Returns the number of frames missing between frames less than 0.1 s apart.
-  unsigned long missing() const;
-
-  // Returns the expected frames per second; 0 if unknown.
-  double framesPerSecond() const;
-
+  const FrameRate &rate() const { return _rate; }
   const Curves &curves() const { return _curves; }
 
  private:
@@ -65,7 +58,7 @@ class FlightLog {
   Observer _observer;
   DetectedVariant _variant;
   FlagSpans _flags;
-  std::map<uint64_t, unsigned long> _intervals;
+  FrameRate _rate;
   std::map<uint64_t, FlightSecond> _seconds;
   Curves _curves;
 };

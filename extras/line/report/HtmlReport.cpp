@@ -148,14 +148,14 @@ std::string facts(const FlightLog &flight, const ReportFacts &facts) {
   text += format(
       "</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
       timeText(static_cast<int64_t>(flight.lastUs() - flight.firstUs())).c_str(), static_cast<unsigned long>(counters.frames),
-      flight.framesPerSecond(), static_cast<unsigned long>(counters.lostFrames), flight.missing(),
+      flight.rate().perSecond(), static_cast<unsigned long>(counters.lostFrames), flight.rate().missing(),
       static_cast<unsigned long>(counters.failsafeFrames));
   return text + format("%lu discarded bytes, %lu character errors.</p>\n", observer.discardedBytes(),
                        observer.characterErrors());
 }
 
 std::string intervals(const FlightLog &flight) {
-  std::vector<std::pair<uint64_t, unsigned long>> all(flight.intervals().begin(), flight.intervals().end());
+  std::vector<std::pair<uint64_t, unsigned long>> all(flight.rate().intervals().begin(), flight.rate().intervals().end());
   std::stable_sort(all.begin(), all.end(), [](const auto &a, const auto &b) { return a.second > b.second; });
   all.resize(std::min(all.size(), WorstMost));
   std::sort(all.begin(), all.end());

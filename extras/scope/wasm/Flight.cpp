@@ -54,7 +54,7 @@ std::string json(const line::FlightLog &log) {
       "\"frames\":%lu,\"lostFrames\":%lu,\"failsafeFrames\":%lu,\"missing\":%lu,\"framesPerSecond\":%.3f,"
       "\"discardedBytes\":%lu,\"characterErrors\":%lu,\"spans\":[",
       static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
-      static_cast<unsigned long>(counters.failsafeFrames), log.missing(), log.framesPerSecond(),
+      static_cast<unsigned long>(counters.failsafeFrames), log.rate().missing(), log.rate().perSecond(),
       log.observer().discardedBytes(), log.observer().characterErrors());
   for (const Kind kind : {Kind::Failsafe, Kind::NoPulses, Kind::LostFrame, Kind::NoFrames, Kind::Late}) {
     text += (kind == Kind::Failsafe ? "" : ",") + json(log.spans(kind));
