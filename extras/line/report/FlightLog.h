@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "line/FrameRate.h"
 #include "line/Observer.h"
 #include "line/report/Curves.h"
 #include "line/report/DetectedVariant.h"
 #include "line/report/FlagSpans.h"
-#include "line/report/FrameRate.h"
 
 namespace line {
 

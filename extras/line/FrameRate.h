@@ -1,4 +1,4 @@
-// The rate of a flight's frames, and how many are missing. A port that delivers late has only the times of its reads,
+// The rate of a line's frames, and how many are missing. A port that delivers late has only the times of its reads,
 // which over many frames are those of the line.
 #pragma once
 
