@@ -10,7 +10,7 @@
 #include "line/recording/RecordingReader.h"
 #include "line/recording/RecordingWriter.h"
 #include "line/recording/Words.h"
-#include "line/report/FlightLog.h"
+#include "line/report/ObservedFlight.h"
 #include "support/Adapter.h"
 
 namespace {
@@ -60,7 +60,7 @@ std::string recorded(const Stall &stall, bool isCut, line::Random &random) {
 }
 
 // Reads it as a page and the command do.
-void read(line::FlightLog &flight, const std::string &text) {
+void read(line::ObservedFlight &flight, const std::string &text) {
   line::RecordingReader reader(line::CharacterUs, true);
   std::deque<line::Character> characters;
   std::string wrong;
@@ -90,15 +90,15 @@ TEST_CASE("bytes that a stalled adapter delivers late are the PC's fault, bytes 
     CAPTURE(stall.us);
     for (uint64_t run = 0; run < 20; run++) {
       line::Random held(seed + run), cut(seed + run);
-      line::FlightLog late(line::CharacterUs), silent(line::CharacterUs);
+      line::ObservedFlight late(line::CharacterUs), silent(line::CharacterUs);
       read(late, recorded(stall, false, held));
-      CHECK(late.spans(SpanKind::NoFrames).empty());
-      CHECK(late.spans(SpanKind::Late).size() == 1);
+      CHECK(late.log().spans(SpanKind::NoFrames).empty());
+      CHECK(late.log().spans(SpanKind::Late).size() == 1);
       CHECK(late.observer().counters().frames >= (EndUs - 20000) / stall.periodUs - 1);
       read(silent, recorded(stall, true, cut));
-      CHECK(silent.spans(SpanKind::Late).empty());
-      REQUIRE(silent.spans(SpanKind::NoFrames).size() == 1);
-      CHECK(silent.spans(SpanKind::NoFrames)[0].us() + 60000 > stall.us);
+      CHECK(silent.log().spans(SpanKind::Late).empty());
+      REQUIRE(silent.log().spans(SpanKind::NoFrames).size() == 1);
+      CHECK(silent.log().spans(SpanKind::NoFrames)[0].us() + 60000 > stall.us);
     }
   }
 }
@@ -113,12 +113,12 @@ TEST_CASE("a recording from an adapter has the frames a second of its line, and 
         CAPTURE(latencyUs);
         CAPTURE(lookUs);
         line::Random random(seed);
-        line::FlightLog flight(line::CharacterUs);
+        line::ObservedFlight flight(line::CharacterUs);
         read(flight, recorded({periodUs, latencyUs, lookUs, 0}, false, random));
-        CHECK(flight.rate().perSecond() == doctest::Approx(1e6 / periodUs).epsilon(0.01));
-        CHECK(flight.rate().missing() == 0);
-        CHECK(worstSeconds(flight, 10).empty());
-        CHECK(line::verdictOf(flight).text == "All well: no failsafe, no silence, 0.00 % of the frames lost.");
+        CHECK(flight.log().rate().perSecond() == doctest::Approx(1e6 / periodUs).epsilon(0.01));
+        CHECK(flight.log().rate().missing() == 0);
+        CHECK(worstSeconds(flight.log(), 10).empty());
+        CHECK(line::verdictOf(flight.log()).text == "All well: no failsafe, no silence, 0.00 % of the frames lost.");
       }
     }
   }

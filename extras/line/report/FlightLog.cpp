@@ -75,33 +75,24 @@ std::string times(const std::vector<FlagSpan> &spans) {
 
 }  // namespace
 
-FlightLog::FlightLog(uint32_t characterUs, int64_t zeroUs) : _zeroUs(zeroUs) {
-  _observer.reset(0, characterUs);
-  _observer.listen([this](const Stretch &stretch) { take(stretch); });
-}
-
-void FlightLog::finish() {
-  _observer.finish();
+void FlightLog::finish(const FlightCounts &counts) {
+  _counts = counts;
   _flags.finish();
 }
 
-void FlightLog::take(const Stretch &stretch) {
-  _variant.take(stretch);
-  if (!stretch.isFrame() || stretch.kind == Stretch::Kind::Extra) {
+void FlightLog::put(const FlightFrame &frame) {
+  _variant.take(frame.kind, frame.end);
+  if (frame.kind == Stretch::Kind::Extra) {
     return;
   }
-  const uint64_t us = stretch.endUs();
-  const bool isJoined = !_flags.brokenUntil(us, stretch.lateUs()) && _flags.lastUs() > 0;
-  _rate.put(us, stretch.lateUs(), isJoined);
-  const bool isLost = _observer.newest().lostFrame;
-  const bool isPulseless = _observer.newest().hasNoPulses();
-  const bool isFailsafe = _observer.inFailsafe();
-  FlightSecond &second = _seconds[us / SecondUs];
+  const bool isJoined = !_flags.brokenUntil(frame.us, frame.lateUs) && _flags.lastUs() > 0;
+  _rate.put(frame.us, frame.lateUs, isJoined);
+  FlightSecond &second = _seconds[frame.us / SecondUs];
   second.frames++;
-  second.lost += isLost;
-  second.failsafe += isFailsafe || isPulseless;
-  _curves.put(us, _observer.newest().raw.data(), isJoined);
-  _flags.put(us, isFailsafe, isLost, isPulseless);
+  second.lost += frame.lost;
+  second.failsafe += frame.failsafe || frame.pulseless;
+  _curves.put(frame.us, frame.channels.data(), isJoined);
+  _flags.put(frame.us, frame.failsafe, frame.lost, frame.pulseless);
 }
 
 std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
@@ -156,7 +147,7 @@ FlightVerdict verdictOf(const FlightLog &flight) {
   const std::vector<FlagSpan> failsafe = flight.spans(FlagSpan::Kind::Failsafe);
   const std::vector<FlagSpan> pulseless = flight.spans(FlagSpan::Kind::NoPulses);
   const std::vector<FlagSpan> silences = flight.spans(FlagSpan::Kind::NoFrames);
-  const sbus::Counters counters = flight.observer().counters();
+  const FlightCounts &counters = flight.counts();
   const unsigned long all = counters.frames + flight.rate().missing();
   const double lost =
       all > 0 ? static_cast<double>(counters.lostFrames + flight.rate().missing()) / static_cast<double>(all) : 0;
