@@ -134,8 +134,9 @@ std::string exportOf(std::string_view begin, const std::string &name) {
   for (const auto &row : rows) {
     const bool hasEnd = !row.end.empty() && small.size() > row.end.size() &&
                         small.compare(small.size() - row.end.size(), row.end.size(), row.end) == 0;
-    if ((!row.begin.empty() && begin.substr(0, row.begin.size()) == row.begin) || (hasEnd && !isText) ||
-        (!row.entry.empty() && begin.substr(0, 4) == "PK\x03\x04" && begin.substr(30, row.entry.size()) == row.entry)) {
+    const bool isEntry = !row.entry.empty() && begin.substr(0, 4) == "PK\x03\x04" && begin.size() >= 30 &&
+                         begin.substr(30, row.entry.size()) == row.entry;
+    if ((!row.begin.empty() && begin.substr(0, row.begin.size()) == row.begin) || (hasEnd && !isText) || isEntry) {
       return row.what;
     }
   }
