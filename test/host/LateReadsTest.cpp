@@ -59,8 +59,8 @@ std::string recorded(const Stall &stall, bool isCut, line::Random &random) {
   return writer.take();
 }
 
-// Reads it as a page and the command do.
-void read(line::ObservedFlight &flight, const std::string &text) {
+// Reads it as a page and the command do. Returns how many reads were late.
+unsigned read(line::ObservedFlight &flight, const std::string &text) {
   line::RecordingReader reader(line::CharacterUs, true);
   std::deque<line::Character> characters;
   std::string wrong;
@@ -68,10 +68,15 @@ void read(line::ObservedFlight &flight, const std::string &text) {
     wrong = reader.line(line::takeLine(rest), characters);
   }
   CHECK(wrong + reader.finish(characters) == "");
+  unsigned reads = 0;
+  uint32_t lateUs = 0;
   for (const line::Character &character : characters) {
+    reads += character.lateUs >= 100000 && character.lateUs != lateUs;
+    lateUs = character.lateUs;
     flight.put(character);
   }
   flight.finish();
+  return reads;
 }
 
 }  // namespace
@@ -91,11 +96,11 @@ TEST_CASE("bytes that a stalled adapter delivers late are the PC's fault, bytes 
     for (uint64_t run = 0; run < 20; run++) {
       line::Random held(seed + run), cut(seed + run);
       line::ObservedFlight late(line::CharacterUs), silent(line::CharacterUs);
-      read(late, recorded(stall, false, held));
+      CHECK(read(late, recorded(stall, false, held)) == 1);
       CHECK(late.log().spans(SpanKind::NoFrames).empty());
       CHECK(late.log().spans(SpanKind::Late).size() == 1);
       CHECK(late.observer().counters().frames >= (EndUs - 20000) / stall.periodUs - 1);
-      read(silent, recorded(stall, true, cut));
+      CHECK(read(silent, recorded(stall, true, cut)) == 0);
       CHECK(silent.log().spans(SpanKind::Late).empty());
       REQUIRE(silent.log().spans(SpanKind::NoFrames).size() == 1);
       CHECK(silent.log().spans(SpanKind::NoFrames)[0].us() + 60000 > stall.us);

@@ -1,6 +1,5 @@
 #include "line/recording/LateReads.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "line/Silence.h"
@@ -29,14 +28,14 @@ void LateReads::put(const Character &character, std::deque<Character> &character
     return;
   }
   _held.push_back(character);
-  const uint64_t beforeUs = _held.front().endUs - _silentUs;
-  const bool isLate = accountsFor(character.endUs - beforeUs);
+  const uint64_t sinceUs = character.endUs - _held.front().endUs + _silentUs;
+  const bool isLate = accountsFor(sinceUs);
   if (isLate) {
     for (Character &each : _held) {
-      each.lateUs = std::max(each.lateUs, static_cast<uint32_t>(each.endUs - beforeUs));
+      each.lateUs = static_cast<uint32_t>(sinceUs);  // all are one read
     }
   }
-  if (isLate || character.endUs - beforeUs > 2 * _silentUs) {
+  if (isLate || sinceUs > 2 * _silentUs) {
     finish(characters);
   }
 }
