@@ -142,7 +142,7 @@ $(OUT)/cross/%.o: $(SRC)/%.cpp build.mk
 
 FUZZ := $(call objects,fuzz/*.cpp)
 FUZZ := $(FUZZ:.o=)
-FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,recording/CsvRows.cpp LineSettings.cpp recording/Recording.cpp recording/RecordingReader.cpp recording/WallTime.cpp)
+FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,recording/CsvRows.cpp LineSettings.cpp recording/LateReads.cpp recording/Recording.cpp recording/RecordingReader.cpp recording/WallTime.cpp)
 fuzz: $(FUZZ)
 list-fuzz:
 	@printf '%s\n' $(FUZZ)

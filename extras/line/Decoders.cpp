@@ -8,6 +8,7 @@ namespace {
 
 constexpr uint8_t ShortGap = 3;     // characters, like a port that waits for them
 constexpr uint32_t SureLead = 2;    // votes ahead of the other decoder
+constexpr uint32_t LeadMost = 8;    // after as many frames a line that has changed has its other decoder
 constexpr uint64_t EndUs = 50000;   // a longer silence ends everything before it
 constexpr size_t MostOpen = 8;      // at most this many frames of one decoder wait for the other
 
@@ -68,10 +69,22 @@ const std::vector<Piece> &Decoders::forBoth(Call call) {
   return decide(_nowUs >= _byteUs + EndUs);
 }
 
-bool Decoders::has24() const {
+bool Decoders::leads24() const {
   const uint32_t votes16 = _finder16.events().votes;
   const uint32_t votes24 = _finder24.events().votes;
   return votes16 != votes24 ? votes24 > votes16 : _finder24.counters().frames > _finder16.counters().frames;
+}
+
+sbus::Counters Decoders::ownCounters() const {
+  return places().withoutErrors(has24() ? _finder24.counters() : _finder16.counters());
+}
+
+sbus::Counters Decoders::counters() const {
+  sbus::Counters counters = ownCounters();
+  for (const auto count : AllCounts) {
+    counters.*count += _before.*count;
+  }
+  return counters;
 }
 
 sbus::Counters Decoders::counters16() const {
@@ -81,9 +94,21 @@ sbus::Counters Decoders::counters16() const {
 }
 
 const std::vector<Piece> &Decoders::decide(bool isOver) {
-  const uint32_t votes16 = _finder16.events().votes;
-  const uint32_t votes24 = _finder24.events().votes;
-  const uint32_t lead = std::max(votes16, votes24) - std::min(votes16, votes24);
+  uint32_t &votes16 = _finder16.events().votes;
+  uint32_t &votes24 = _finder24.events().votes;
+  const uint32_t lead = std::min(LeadMost, std::max(votes16, votes24) - std::min(votes16, votes24));
+  votes16 = votes16 > votes24 ? lead : 0;
+  votes24 = votes16 > 0 ? 0 : lead;
+  const bool isOther = _isDecided && leads24() != _is24;
+  const sbus::Counters all = isOther ? counters() : _before;
+  _is24 = leads24();
+  if (isOther) {
+    const sbus::Counters own = ownCounters();
+    for (const auto count : AllCounts) {
+      _before.*count = all.*count - own.*count;
+    }
+    return _none;
+  }
   _isDecided = _isDecided || !_finder16.events().isBursty || lead >= SureLead || (isOver && counters().frames != 0) ||
                places().pieces.size() >= MostOpen;
   return _isDecided ? places().pieces : _none;
@@ -99,6 +124,8 @@ void Decoders::reset(uint64_t nowUs, uint32_t characterUs) {
   _nowUs = nowUs;
   _byteUs = nowUs;
   _isDecided = false;
+  _is24 = false;
+  _before = {};
   forBoth([=](auto &finder) {
     finder.reset(static_cast<uint32_t>(nowUs), us, ShortGap);
     finder.events() = {};

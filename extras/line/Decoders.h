@@ -1,4 +1,5 @@
-// Two decoders read the line, one for 16 channels and one for 24. The one that finds more frames is the right one.
+// Two decoders read the line, one for 16 channels and one for 24. The one that finds more of the newest frames is the
+// right one.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,12 @@
 #include "sbus/FrameFinder.h"
 
 namespace line {
+
+// All that are counts.
+constexpr uint32_t sbus::Counters::*AllCounts[] = {
+    &sbus::Counters::frames,           &sbus::Counters::lostFrames,     &sbus::Counters::failsafeFrames, &sbus::Counters::rejectedByEnd,
+    &sbus::Counters::rejectedByFlags,  &sbus::Counters::rejectedByLength, &sbus::Counters::discardedBytes, &sbus::Counters::resyncs,
+    &sbus::Counters::overflows,        &sbus::Counters::shortfalls,     &sbus::Counters::extraFrames,    &sbus::Counters::otherSizeFrames};
 
 // Takes a decoder's events, and maps them to places on the line.
 class Places : public sbus::NoEvents {
@@ -28,7 +35,7 @@ class Places : public sbus::NoEvents {
   sbus::Counters withoutErrors(sbus::Counters counters) const;
 
   bool isBursty = true;              // a port delivers bytes in bursts, which hide gaps
-  uint32_t votes = 0;                // frames that speak for this decoder
+  uint32_t votes = 0;                // frames that speak for this decoder, as many as it leads by; LeadMost at most
   std::vector<Piece> pieces;         // found by the last call
   std::vector<Rejected> rejections;  // only the newest ones
 
@@ -61,10 +68,8 @@ class Decoders {
   // Takes a character without error at place `at` and time `nowUs`. Returns the pieces found.
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isBursty);
 
-  bool has24() const;
-  sbus::Counters counters() const {
-    return places().withoutErrors(has24() ? _finder24.counters() : _finder16.counters());
-  }
+  bool has24() const { return _is24; }
+  sbus::Counters counters() const;
   // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, otherSizeFrames is the
   // other decoder's number of frames.
   sbus::Counters counters16() const;
@@ -86,6 +91,8 @@ class Decoders {
 
   template <typename Call>
   const std::vector<Piece> &forBoth(Call call);
+  sbus::Counters ownCounters() const;
+  bool leads24() const;
   const std::vector<Piece> &decide(bool isOver);
 
   Finder<sbus::Frame16Extra> _finder16;
@@ -93,6 +100,8 @@ class Decoders {
   uint64_t _nowUs;   // the decoders' newest time
   uint64_t _byteUs;  // of the last byte
   bool _isDecided;   // the right decoder is known
+  bool _is24;        // the one for 24 channels
+  sbus::Counters _before;  // to be added to the right decoder's: the line was another one
   std::vector<Piece> _none;
 };
 

@@ -41,19 +41,9 @@ class Examination {
  private:
   // Returns now - before. Counters lower than before count from 0, since they are the other decoder's.
   static sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
-    const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
-    subtract(now.frames, before.frames);
-    subtract(now.lostFrames, before.lostFrames);
-    subtract(now.failsafeFrames, before.failsafeFrames);
-    subtract(now.rejectedByEnd, before.rejectedByEnd);
-    subtract(now.rejectedByFlags, before.rejectedByFlags);
-    subtract(now.rejectedByLength, before.rejectedByLength);
-    subtract(now.discardedBytes, before.discardedBytes);
-    subtract(now.resyncs, before.resyncs);
-    subtract(now.overflows, before.overflows);
-    subtract(now.shortfalls, before.shortfalls);
-    subtract(now.extraFrames, before.extraFrames);
-    subtract(now.otherSizeFrames, before.otherSizeFrames);
+    for (const auto count : AllCounts) {
+      now.*count -= std::min(now.*count, before.*count);
+    }
     return now;
   }
 

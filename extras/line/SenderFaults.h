@@ -14,8 +14,8 @@ class SenderFaults {
  public:
   // Takes the next character.
   void put(const Character &character) {
-    constexpr uint64_t SilenceUs = 2000;
-    if (_breakUs > 0 && character.endUs - std::min(character.endUs, _breakUs) > SilenceUs) {
+    constexpr uint64_t QuietUs = 2000;
+    if (_breakUs > 0 && character.endUs - std::min(character.endUs, _breakUs) > QuietUs) {
       _breaks++;
     }
     const bool isBreak = character.bad && character.value == 0 && !character.parityWrong;

@@ -44,8 +44,9 @@ void Statistics::add(const Stretch &frame) {
     return;
   }
   const bool is24 = frame.kind == Stretch::Kind::Frame24;
+  _has32 = _has32 && _sinceExtra < NoExtra;
   const bool is32 = _has32 || (_newest.count == 0 && _sinceExtra == 0);
-  _sinceExtra = std::min(_sinceExtra + 1, ExtraWithin);
+  _sinceExtra = std::min(_sinceExtra + 1, NoExtra);
   const uint8_t flags = bytes[frame.characters.size() - 2];
   is24 ? sbus::unpack24(bytes.data(), _newest.raw.data()) : sbus::unpackExtra(bytes.data(), _newest.raw.data());
   _newest = withFlags(_newest, flags);

@@ -93,11 +93,11 @@ class Statistics : public Arrivals {
   void add(const Stretch &frame);
 
  private:
-  static constexpr unsigned ExtraWithin = 8;  // frames
+  static constexpr unsigned ExtraWithin = 8, NoExtra = 50;  // frames
 
   Values _newest;
-  bool _has32 = false;                  // two frames with header 2F came within ExtraWithin
-  unsigned _sinceExtra = ExtraWithin;  // frames since the newest of them, at most this many
+  bool _has32 = false;             // two frames with header 2F came within ExtraWithin, and then always one within NoExtra
+  unsigned _sinceExtra = NoExtra;  // frames since the newest of them, at most this many
   uint32_t _pulseless = 0;
   std::array<Extent, 32> _travel{};
 };

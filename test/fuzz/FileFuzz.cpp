@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const line::FileHead head = line::readFileHead(bytes, "file");
   require((head.kind == line::FileKind::Wrong) == !head.error.empty(), "a wrong file has an error, and only that");
   require(head.zeroUs <= 0, "no file begins after its time 0");
-  const std::unique_ptr<line::LineReader> reader = line::makeReader(head);
+  const std::unique_ptr<line::LineReader> reader = line::makeReader(head, true);
   require((reader == nullptr) == (head.kind == line::FileKind::Wrong || head.kind == line::FileKind::Capture),
           "texts and bytes have a reader");
   if (!reader) {

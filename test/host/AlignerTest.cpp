@@ -29,7 +29,6 @@ line::Values valuesAt(int i, int moveAt) {
 
 struct Lines {
   line::Comparison comparison{[](const line::LostSpan &) {}};
-  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { comparison.put(us, found); }};
 
   // Puts the frames of both in the order in which they come. `delayUs(i)`: of B's frame.
   template <typename Delay>
@@ -38,10 +37,9 @@ struct Lines {
       const int64_t aUs = zeroUs + a * PeriodUs, bUs = zeroUs + b * PeriodUs + delayUs(b);
       const bool isA = b == count || (a < count && aUs <= bUs);
       int &i = isA ? a : b;
-      aligner.put(isA ? 0 : 1, isA ? aUs : bUs, valuesAt(i, moveAt));
+      comparison.put(isA ? 0 : 1, isA ? aUs : bUs, valuesAt(i, moveAt));
       i++;
     }
-    aligner.finish();
     comparison.finish();
   }
 };
@@ -50,8 +48,8 @@ struct Lines {
 
 TEST_CASE("lines that have run for an hour: two seconds of their frames tell the delay, not the first few") {
   Lines lines;
-  lines.aligner.knownUntil(0, 0);
-  lines.aligner.knownUntil(1, 3600000000);
+  lines.comparison.knownUntil(0, 0);
+  lines.comparison.knownUntil(1, 3600000000);
   lines.play(3000, 0, 3600000000, [](int i) { return i < 12 ? 80000 : 1234; });
   const line::Comparison::Counts &counts = lines.comparison.counts();
   CHECK(counts.same >= 2970);
@@ -64,7 +62,7 @@ TEST_CASE("sticks that rest for more than a minute, then move: the delay is foun
     Lines lines;
     lines.play(16000, 10000, 1000000, [delayUs](int) { return delayUs; });
     const line::Comparison::Counts &counts = lines.comparison.counts();
-    CHECK(lines.aligner.by() == line::DelayBy::Contents);
+    CHECK(lines.comparison.aligner().by() == line::DelayBy::Contents);
     CHECK(counts.different == 0);
     CHECK(counts.lost[0] == 0);
     CHECK(counts.lost[1] == 0);
@@ -108,11 +106,10 @@ TEST_CASE(
     for (const size_t side : {size_t{0}, size_t{1}}) {
       const bool isLost = i > 2000 && i % 20 == (side == 0 ? 3 : 7);
       if (!isLost) {
-        lines.aligner.put(side, 1000000 + i * PeriodUs, values);
+        lines.comparison.put(side, 1000000 + i * PeriodUs, values);
       }
     }
   }
-  lines.aligner.finish();
   lines.comparison.finish();
   CHECK(lines.comparison.counts().lost[0] == 50);
   CHECK(lines.comparison.counts().lost[1] == 50);
@@ -153,9 +150,8 @@ TEST_CASE(
         values.raw[0] = noise[static_cast<size_t>(read.frame)];
         values.raw[1] = 992;
       }
-      lines.aligner.put(side, read.us, values, LatencyUs + 12000);
+      lines.comparison.put(side, read.us, values, LatencyUs + 12000);
     }
-    lines.aligner.finish();
     lines.comparison.finish();
     const line::Comparison::Counts &counts = lines.comparison.counts();
     CHECK(counts.same == Count);
@@ -175,17 +171,16 @@ int64_t errorOf(Lines &lines, int count, int64_t laterUs, const std::function<li
   for (int i = 0; i < count; i++) {
     values.push_back(valuesOf(i));
   }
-  lines.aligner.knownUntil(0, 0);
-  lines.aligner.knownUntil(1, 0);
+  lines.comparison.knownUntil(0, 0);
+  lines.comparison.knownUntil(1, 0);
   for (int64_t us = 0; us < count * PeriodUs; us += PeriodUs) {  // the two clocks run side by side
     for (const size_t side : {size_t{0}, size_t{1}}) {
       const int i = static_cast<int>((us + (side == 0 ? 0 : laterUs)) / PeriodUs);
       if (i < count && !isLost(side, i)) {
-        lines.aligner.put(side, 1000000 + us, values[static_cast<size_t>(i)]);
+        lines.comparison.put(side, 1000000 + us, values[static_cast<size_t>(i)]);
       }
     }
   }
-  lines.aligner.finish();
   lines.comparison.finish();
   return std::abs(lines.comparison.counts().delays.medianUs() + laterUs / PeriodUs * PeriodUs);
 }
@@ -219,8 +214,8 @@ TEST_CASE("sticks that move in one frame of a hundred, by a step or two: the del
           },
           [&](size_t side, int i) { return lost[side].count(i) > 0; });
       CHECK(errorUs == 0);
-      CHECK(lines.aligner.by() == line::DelayBy::Contents);
-      CHECK(lines.aligner.isCertain());
+      CHECK(lines.comparison.aligner().by() == line::DelayBy::Contents);
+      CHECK(lines.comparison.aligner().isCertain());
       CHECK(lines.comparison.counts().different == 0);
     }
   }
@@ -240,9 +235,9 @@ TEST_CASE("sticks that do not move: gaps that the wire and a port share tell the
         lines, 3000, 900000, [](int) { return valuesAt(0, 1); },
         [&](size_t side, int i) { return lost[isShared ? 0 : side].count(i) > 0; });
     CHECK((errorUs == 0) == isShared);
-    CHECK(lines.aligner.isCertain() == isShared);
-    CHECK(lines.aligner.by() == (isShared ? line::DelayBy::Losses : line::DelayBy::Times));
-    CHECK((lines.aligner.evidence().find("not certain") == std::string::npos) == isShared);
+    CHECK(lines.comparison.aligner().isCertain() == isShared);
+    CHECK(lines.comparison.aligner().by() == (isShared ? line::DelayBy::Losses : line::DelayBy::Times));
+    CHECK((lines.comparison.aligner().evidence().find("not certain") == std::string::npos) == isShared);
   }
 }
 
@@ -257,7 +252,7 @@ TEST_CASE("what was called different or lost before the delay was known is taken
       },
       [](size_t, int i) { return i % 1000 == 0; });
   const line::Comparison::Counts &counts = lines.comparison.counts();
-  CHECK(lines.aligner.by() == line::DelayBy::Contents);
+  CHECK(lines.comparison.aligner().by() == line::DelayBy::Contents);
   CHECK(counts.different == 0);
   CHECK(counts.lost[0] + counts.lost[1] == 0);
   CHECK(counts.late[0] > 1000);
@@ -273,6 +268,6 @@ TEST_CASE("a stick that moves to and fro again and again: another delay would ag
         return values;
       },
       [](size_t, int) { return false; });
-  CHECK_FALSE(lines.aligner.isCertain());
-  CHECK(lines.aligner.evidence().find("not certain") != std::string::npos);
+  CHECK_FALSE(lines.comparison.aligner().isCertain());
+  CHECK(lines.comparison.aligner().evidence().find("not certain") != std::string::npos);
 }

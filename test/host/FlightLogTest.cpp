@@ -9,7 +9,7 @@
 #include "line/recording/RecordingWriter.h"
 #include "line/recording/WallTime.h"
 #include "line/report/Curves.h"
-#include "line/report/FlightLog.h"
+#include "line/report/ObservedFlight.h"
 #include "line/report/SvgPlot.h"
 #include "line/simulation/SimulatedReceiver.h"
 #include "sbus/Frame.h"
@@ -17,7 +17,7 @@
 namespace {
 
 // Takes a frame that ends at `us`.
-void fly(line::FlightLog &flight, uint64_t us, bool failsafe, bool lostFrame, uint16_t first = 992) {
+void fly(line::ObservedFlight &flight, uint64_t us, bool failsafe, bool lostFrame, uint16_t first = 992) {
   uint16_t channels[sbus::ChannelCount] = {first, 992, 172, 992};
   uint8_t frame[sbus::FrameSize];
   sbus::pack(frame, channels, failsafe, lostFrame);
@@ -58,14 +58,14 @@ TEST_CASE("a line with more silences than room has curves all the same") {
 }
 
 TEST_CASE("the report draws a flight's curve as the area between its ends in each pixel, a silence divides it") {
-  line::FlightLog flight(line::CharacterUs);
+  line::ObservedFlight flight(line::CharacterUs);
   for (unsigned i = 0; i < 20000; i++) {
     if (i < 9000 || i > 9100) {
       fly(flight, 5000 + uint64_t{i} * 9000, false, false, i % 2 == 0 ? 172 : 1811);
     }
   }
   flight.finish();
-  const std::string svg = line::curvesOf(flight);
+  const std::string svg = line::curvesOf(flight.log());
   const size_t from = svg.find(" d=\"", svg.find("curve c0")) + 4;
   const std::string path = svg.substr(from, svg.find('"', from) - from);
   std::set<double> heights;
@@ -87,7 +87,7 @@ TEST_CASE("the report draws a flight's curve as the area between its ends in eac
 TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was lost") {
   // 10 s at 9 ms. In second 3 every second frame is lost, in second 6 every third one does not come; from 8.0 s
   // failsafe.
-  line::FlightLog flight(line::CharacterUs);
+  line::ObservedFlight flight(line::CharacterUs);
   for (unsigned i = 0; i < 1111; i++) {
     const uint64_t us = 5000 + uint64_t{i} * 9000;
     const uint64_t second = us / 1000000;
@@ -96,20 +96,20 @@ TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was l
     }
   }
   flight.finish();
-  CHECK(flight.framesPerSecond() == doctest::Approx(111.1).epsilon(0.02));
-  CHECK(flight.missing() == 37);
-  const std::vector<line::FlightRating> worst = line::worstSeconds(flight, 3);
+  CHECK(flight.log().rate().perSecond() == doctest::Approx(111.1).epsilon(0.02));
+  CHECK(flight.log().rate().missing() == 37);
+  const std::vector<line::FlightRating> worst = line::worstSeconds(flight.log(), 3);
   REQUIRE(worst.size() == 2);  // the span of failsafe is listed elsewhere
   CHECK(worst[0].fromUs == 3000000);
   CHECK(worst[0].lost == doctest::Approx(0.5).epsilon(0.03));
   CHECK(worst[1].fromUs == 6000000);
-  const std::vector<line::FlightRating> strip = line::stripOf(flight, 480);
+  const std::vector<line::FlightRating> strip = line::stripOf(flight.log(), 480);
   REQUIRE(strip.size() == 10);
   CHECK(strip[1].lost == 0);
   CHECK(strip[6].lost == doctest::Approx(0.33).epsilon(0.05));
   CHECK(strip[9].failsafe);
-  CHECK(line::stripOf(flight, 2).size() == 2);
-  CHECK(line::verdictOf(flight).text.substr(0, 28) == "Failsafe 1 time, 2.0 s in al");
+  CHECK(line::stripOf(flight.log(), 2).size() == 2);
+  CHECK(line::verdictOf(flight.log()).text.substr(0, 28) == "Failsafe 1 time, 2.0 s in al");
 }
 
 TEST_CASE("a date is written and read to the microsecond") {

@@ -91,6 +91,33 @@ export default async function () {
     assert.match(await page.textContent('#fault-counts'), /no frames: 0 ×/);
   });
 
+  await check('a recording of a clean line has no silence, though the adapter stalled for 300 ms and its bytes came at once then', async (page) => {
+    await page.evaluate((bytes) => {
+      const feed = fake.port.feed.bind(fake.port);
+      let held;
+      fake.port.feed = (packet) => (held ? held.push(...packet) > 0 : feed(packet));
+      fake.stall = () => {
+        held = [];
+        setTimeout(() => {
+          const all = held;
+          held = undefined;
+          feed(all);
+        }, 300);
+      };
+      fake.port.onOpen = () => (fake.timer = fake.every(9, bytes));
+    }, good);
+    await connect(page);
+    await reads(page, '#state', 'Fine');
+    await page.click('#record');
+    await page.waitForTimeout(1500); // the pace of a line is known after half a second
+    await page.evaluate(() => fake.stall());
+    await page.waitForTimeout(1500);
+    const { path: file } = await downloaded(page, '#record');
+    await playToEnd(page, file);
+    await reads(page, '#fault-counts', /no frames: 0 ×.*PC late: [1-9]\d* ×/);
+    await reads(page, '#report-text', /^All well/);
+  });
+
   await check('in a recording of a PC that was late 0.3 s, this is a fault of its own; the link stays fine, and a cut wire is still a silence', async (page) => {
     const line = (ms, lateUs) => recorded(`${1000 * ms}~${lateUs}`, good);
     const lines = Array.from({ length: 400 }, (_, i) => {

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { build, load } from './modules.mjs';
 
-const { CharacterSize, Enough, RecordReader, StatusReader } = await load('border');
+const { CharacterSize, Enough, RecordReader, StatusReader, TransferSize } = await load('border');
 
 export class Native {
   async load() {
@@ -29,8 +29,8 @@ export class Native {
     return new StatusReader(new DataView(this.wasm.memory.buffer), this.wasm.status(us))[name];
   }
 
-  // Returns the records that have come by then: when, and of which kind.
-  advance(us) {
+  // Returns the records that have come by then: when, and of which kind. `take`: takes their bytes.
+  advance(us, take) {
     const records = [];
     for (let count = Enough; count >= Enough || this.wasm.needsMore(); ) {
       if (this.wasm.needsMore()) {
@@ -39,6 +39,7 @@ export class Native {
         this.wasm.feed(size, Number(this.fed === this.wasm.recordingSize()));
       }
       count = this.wasm.advance(us);
+      take?.(new Uint8Array(this.wasm.memory.buffer, this.wasm.records(), count * RecordReader.size).slice());
       const record = new RecordReader(new DataView(this.wasm.memory.buffer), this.wasm.records());
       for (const end = record.at + count * RecordReader.size; record.at < end; record.at += RecordReader.size) {
         records.push({ endUs: record.endUs, kind: record.kind });
@@ -46,6 +47,18 @@ export class Native {
       this.wasm.takenRecords();
     }
     return records;
+  }
+
+  // Returns the figures of the whole recording, after open().
+  flight() {
+    const us = this.wasm.recordingLengthUs() + 1000;
+    const size = Math.floor(TransferSize / RecordReader.size) * RecordReader.size;
+    this.wasm.beginFlight();
+    this.advance(us, (records) => {
+      for (let at = 0; at < records.length; at += size) this.give(records.subarray(at, at + size), (count) => this.wasm.flightRecords(count));
+    });
+    const counts = ['frames', 'lostFrames', 'failsafeFrames', 'discardedBytes', 'characterErrors'].map((name) => this.status(us, name));
+    return JSON.parse(this.words(this.wasm.flightNumbers(...counts)));
   }
 
   travel(channel) {

@@ -55,8 +55,7 @@ export default async function () {
       const page = await new Native().load();
       page.give(new TextEncoder().encode(path.basename(file)), (count) => page.wasm.nameFile(count));
       page.open(readFileSync(file, 'utf8'));
-      while (page.wasm.flightPart() === 0);
-      const found = JSON.parse(page.words(page.wasm.flightNumbers()));
+      const found = page.flight();
       const told = sbus('summary', '--json', file).trim().split('\n').map((line) => JSON.parse(line));
       const { frames, lost_frames, failsafe_frames, discarded_bytes, character_errors, from_us, to_us } = told.find(({ type }) => type === 'summary');
       assert.deepEqual([found.frames, found.lostFrames, found.failsafeFrames, found.discardedBytes, found.characterErrors, found.fromUs, found.toUs],

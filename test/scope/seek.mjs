@@ -77,40 +77,61 @@ export default async function () {
     }
   }, { patience: 200000 });
 
-  await check(`at ${places} places that are not decoded yet, seed ${seed}, the first picture has the frames and the state of the one that follows it`, async (page) => {
+  // Seeks in a recording that is not decoded yet. Returns the first picture of that place, if there is one, and the one that follows it.
+  const previewAt = async (page, ms) => {
     await page.evaluate(() => {
       fake.jumps = [];
+      fake.worker.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
+    });
+    await seek(page, ms);
+    await until('it is not decoded', () => page.evaluate(() => fake.jumps.some(({ isPreview }) => !isPreview)));
+    return page.evaluate((names) => [true, false].map((isFirst) => {
+      const { us, status, telemetry, records: [, ...since] } = fake.jumps.find(({ isPreview }) => Boolean(isPreview) === isFirst) ?? { records: [] };
+      return status && { us, telemetry, ...Object.fromEntries(names.map((name) => [name, status[name]])), bytes: since.map(String).join() };
+    }), ofNow);
+  };
+  const playUndecoded = async (page, undecoded) => {
+    await page.evaluate(() => {
       globalThis.Worker = class extends Worker {
         constructor(...of) {
           super(...of);
           fake.worker = this;
-          this.addEventListener('message', ({ data }) => data.jumped && fake.jumps.push(data));
+          this.addEventListener('message', ({ data }) => data.jumped && fake.jumps?.push(data));
         }
       };
     });
+    await playPaused(page, undecoded);
+  };
+
+  await check(`at ${places} places that are not decoded yet, seed ${seed}, the first picture has the frames and the state of the one that follows it`, async (page) => {
     const few = path.join(build, 'few.txt');
     // A header 2F makes 32 channels of 16, from there on. The last half minute has 5 frames a second, all lost: the receiver is in failsafe.
     const slow = Array.from({ length: slowFrames }, (_, i) => recorded(1000 * (lengthMs + 9 + 200 * i), frame([1000], { flags: 4 }))).join('');
     writeFileSync(few, text.replaceAll(' 2f ', ' 2e ') + slow);
-    await playPaused(page, few);
+    await playUndecoded(page, few);
     let some = 0;
     for (let i = 0; i < places; i++) {
       const ms = i === 0 ? lengthMs + 200 * slowFrames - 300 : 60000 + Math.floor(next() * (lengthMs - 60000));
-      await page.evaluate(() => {
-        fake.jumps = [];
-        fake.worker.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
-      });
-      await seek(page, ms);
-      await until('it is not decoded', () => page.evaluate(() => fake.jumps.some(({ isPreview }) => !isPreview)));
-      const [first, whole] = await page.evaluate((names) => [true, false].map((isFirst) => {
-        const { us, status, telemetry, records: [, ...since] } = fake.jumps.find(({ isPreview }) => Boolean(isPreview) === isFirst) ?? { records: [] };
-        return status && { us, telemetry, ...Object.fromEntries(names.map((name) => [name, status[name]])), bytes: since.map(String).join() };
-      }), ofNow);
+      const [first, whole] = await previewAt(page, ms);
       assert.deepEqual(first ?? whole, whole, `at ${ms} ms`);
       some += Number(first !== undefined); // without a frame within twenty seconds there is none
     }
     assert.ok(some > places / 2, `${some} of ${places}`);
   }, { patience: 200000 });
+
+  await check('a line that changes from 16 to 24 channels and to 32 after minutes: at places that are not decoded yet the first picture and the one that follows it are the same, and fine', async (page) => {
+    const of24 = (i) => [0x0f, ...Array.from({ length: 33 }, (_, at) => (0x55 + i * at) & 0x7f), 0, 0];
+    const variants = [(i) => frame([i % 2000]), of24, (i) => frame([i % 2000], { header: i % 2 ? 0x2f : 0x0f })];
+    const changing = path.join(build, 'changing.txt');
+    writeFileSync(changing, Array.from({ length: 30000 }, (_, i) => recorded(9000 * (i + 1), variants[Math.floor(i / 10000)](i))).join(''));
+    await playUndecoded(page, changing);
+    for (const [ms, channels] of [[150000, 24], [260000, 32]]) {
+      const [first, whole] = await previewAt(page, ms);
+      assert.deepEqual(first ?? whole, whole, `at ${ms} ms`);
+      assert.equal(whole.state, 1, `at ${ms} ms`);
+      await until(`not ${channels} channels`, async () => (await page.locator('#bars li').count()) === channels);
+    }
+  }, { patience: 60000 });
 
   // Drops a file onto the page.
   const dropLines = (page, name, lines) => page.evaluate(([called, parts]) => {

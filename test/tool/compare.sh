@@ -124,6 +124,30 @@ read -r a b x y same different by_a by_b rest <"$work/sum"
 [ "$a" -eq 6667 ] && [ "$same" -ge 6600 ] && [ "$different" -eq 0 ] && [ $((by_a + by_b)) -le 60 ] || { cat "$work/sum"; false; }
 verdict $? "receivers with clocks that differ by 0.1 %: $(cat "$work/sum")"
 
+# Receivers that send at other rates, or scale the sticks differently: neither is a loss.
+# waves NAME PERIOD_MS LOW HIGH SAMPLED_MS: CH1 moves to and fro between its ends
+waves() {
+  awk -v "ms=$2" -v "low=$3" -v "high=$4" -v "each=${5:-1}" 'BEGIN { for (t = ms; t < 20000; t += ms) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", t * 1000, low + (high - low) * (1 + sin(int(t / each) * each / 400)) / 2 + 0.5 }' >"$work/$1"
+}
+waves slow.json 9 172 1811 36
+waves fast.json 14 172 1811 36
+waves scaled.json 9 192 1792
+waves plain.json 9 172 1811
+while IFS='|' read -r a b name why; do
+  (cd "$work" && "$SBUS" compare $a $b) >"$work/text" 2>&1
+  sed -n "s/.* have no frame in common\. //p; s/^$name  *//p" "$work/text" >"$work/came"
+  [ "$(cat "$work/came")" = "$why" ] || { cat "$work/text"; false; }
+  verdict $? "compare of $a and $b says why frames differ: ${why:-nothing}"
+done <<'END'
+slow.json|fast.json|rates|A sends every 9.00 ms, B every 14.00 ms: frames differ while sticks move.
+plain.json|scaled.json|scales|CH1 goes from 172 to 1811 in A, from 192 to 1792 in B: their scales differ.
+plain.json|plain.json|scales|
+plain.json|plain.json|rates|
+END
+compare slow.json fast.json
+grep -q '"rates":"A sends every 9.00 ms, B every 14.00 ms: frames differ while sticks move.","scales":""' "$work/json" || { cat "$work/json"; false; }
+verdict $? "compare --json says it, too"
+
 # Dates align recordings with different beginnings.
 line a.json 1 'raw = 5'
 for name in a b; do sed -i 's/,[0-9]*,172/,6,172/' "$work/a.json"; done

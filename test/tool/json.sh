@@ -49,7 +49,7 @@ def check(line):
     kind = object.get("type")
     states.add(object.get("state"))
     for name, value in object.items():
-        expected = (str if name in ("type", "signal", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file", "by", "only", "evidence") else
+        expected = (str if name in ("type", "signal", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file", "by", "only", "evidence", "rates", "scales") else
                     list if name in ("channels", "values", "data") else
                     bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission", "by_contents", "certain", "late_delay") else
                     (int, float))

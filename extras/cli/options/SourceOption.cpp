@@ -350,7 +350,7 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   } else {
     input = std::make_unique<FileText>(file().path, name(), file().kind == line::FileKind::Bytes);
   }
-  return std::make_unique<TextLine>(name(), std::move(input), line::makeReader(file()),
+  return std::make_unique<TextLine>(name(), std::move(input), line::makeReader(file(), !_isLiveText),
                                     isLive() ? TextLine::Clock::Live : TextLine::Clock::OfText,
                                     _given.part.fromUs(zeroUs()), _given.part.toUs(zeroUs()));
 }

@@ -66,8 +66,7 @@ std::string json(const LostSpan &span, int64_t zeroUs) {
       .line();
 }
 
-std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, int64_t zeroUs,
-                 const line::Aligner &aligner) {
+std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, int64_t zeroUs) {
   const Comparison::Counts &counts = comparison.counts();
   std::string text;
   for (const size_t side : {size_t{0}, size_t{1}}) {
@@ -88,15 +87,19 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
                          counts.late[0], counts.late[1]);
   }
   text += "first        " + differenceText(counts.first, zeroUs) + '\n';
+  for (const auto &[name, why] : {std::pair("rates", comparison.rates()), std::pair("scales", comparison.scales())}) {
+    text += why.empty() ? "" : line::format("%-12s ", name) + why + '\n';
+  }
   return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s%s\n",
                              static_cast<long long>(counts.delays.medianUs()),
                              static_cast<long long>(counts.delays.leastUs()),
                              static_cast<long long>(counts.delays.mostUs()), counts.delays.driftPpm(),
-                             aligner.evidence().c_str(),
+                             comparison.aligner().evidence().c_str(),
                              counts.areDelaysLate ? "; inaccurate, since the PC was late" : "");
 }
 
-std::string json(const line::Comparison &comparison, int64_t zeroUs, const line::Aligner &aligner) {
+std::string json(const line::Comparison &comparison, int64_t zeroUs) {
+  const line::Aligner &aligner = comparison.aligner();
   const Comparison::Counts &counts = comparison.counts();
   Json json("comparison");
   json.number("frames_a", uint64_t{counts.frames[0]}).number("frames_b", uint64_t{counts.frames[1]});
@@ -111,7 +114,9 @@ std::string json(const line::Comparison &comparison, int64_t zeroUs, const line:
       .flag("by_contents", aligner.by() == line::DelayBy::Contents)
       .flag("certain", aligner.isCertain())
       .text("evidence", aligner.evidence())
-      .flag("late_delay", counts.areDelaysLate);
+      .flag("late_delay", counts.areDelaysLate)
+      .text("rates", comparison.rates())
+      .text("scales", comparison.scales());
   if (!counts.first) {
     return json.line();
   }
@@ -139,10 +144,10 @@ struct Options {
 
 class Compared {
  public:
-  Compared(const SourceOption &source, size_t side, line::Aligner &aligner)
+  Compared(const SourceOption &source, size_t side, Comparison &comparison)
       : _input(source.open()),
         _silence(source.name(), "frames", source.isFile()),
-        _line(side, _input->settings().characterUs(), aligner) {
+        _line(side, _input->settings().characterUs(), comparison) {
     if (!source.hasTimes()) {
       throw std::runtime_error(source.name() + ": has no times; a port, a recording or a capture is expected");
     }
@@ -190,9 +195,8 @@ void run(const Options &options) {
       flush();
     }
   });
-  line::Aligner aligner([&comparison](int64_t us, const line::Alignment &found) { comparison.put(us, found); });
-  Compared one(a, 0, aligner);
-  Compared other(b, 1, aligner);
+  Compared one(a, 0, comparison);
+  Compared other(b, 1, comparison);
   one.begin(0);
   other.begin(laterUs(a, b));
   if (options.json) {
@@ -202,13 +206,13 @@ void run(const Options &options) {
   Input::runBoth(one.input(), one.taker(), other.input(), other.taker(), -laterUs(a, b));
   one.finish();
   other.finish();
-  aligner.finish();
   comparison.finish();
   if (!comparison.any()) {
-    throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common");
+    const std::string why = comparison.rates() + comparison.scales();
+    throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common" + (why.empty() ? "" : ". ") + why);
   }
-  write(options.json ? json(comparison, a.zeroUs(), aligner)
-                     : text(comparison, {a.name(), b.name()}, a.zeroUs(), aligner));
+  write(options.json ? json(comparison, a.zeroUs())
+                     : text(comparison, {a.name(), b.name()}, a.zeroUs()));
   flush();
 }
 

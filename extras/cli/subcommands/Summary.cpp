@@ -16,6 +16,7 @@
 #include "line/Examination.h"
 #include "line/Format.h"
 #include "line/report/HtmlReport.h"
+#include "line/report/ObservedFlight.h"
 
 namespace tool {
 
@@ -27,19 +28,6 @@ constexpr unsigned long BarMost = 50;  // characters
 double seconds(uint64_t us, int64_t zeroUs = 0) {
   return static_cast<double>(static_cast<int64_t>(us) + zeroUs) / 1e6;
 }
-
-// A kind of span: `name` in the text, `type` in JSON.
-struct Listed {
-  line::FlagSpan::Kind kind;
-  const char *name;
-  const char *type;
-  bool isRare;  // not listed if there is none
-};
-constexpr Listed AllListed[] = {{line::FlagSpan::Kind::Failsafe, "failsafe", "failsafe", false},
-                                {line::FlagSpan::Kind::NoPulses, "no pulses", "no_pulses", true},
-                                {line::FlagSpan::Kind::LostFrame, "lost frames", "lost_frames", false},
-                                {line::FlagSpan::Kind::NoFrames, "no frames", "no_frames", false},
-                                {line::FlagSpan::Kind::Late, "PC late", "late", true}};
 
 std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   if (spans.empty()) {
@@ -74,18 +62,19 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
   std::string text =
       line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs(), zeroUs),
                                   seconds(flight.lastUs(), zeroUs));
-  for (const Listed &each : AllListed) {
+  for (const line::SpanName &each : line::SpanNames) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
-    text += all.empty() && each.isRare ? "" : tool::text(each.name, all, zeroUs);
+    const bool isRare = each.kind == line::FlagSpan::Kind::NoPulses || each.kind == line::FlagSpan::Kind::Late;
+    text += all.empty() && isRare ? "" : tool::text(each.name, all, zeroUs);
   }
   unsigned long most = 1;
-  for (const auto &[ms, count] : flight.intervals()) {
-    most = std::max(most, count);
+  for (const auto &[ms, each] : flight.rate().intervals()) {
+    most = std::max(most, each.count);
   }
   text += "intervals from the end of a frame to the end of the next, in ms\n";
-  for (const auto &[ms, count] : flight.intervals()) {
-    text += line::format("%12llu %9lu  ", static_cast<unsigned long long>(ms), count) +
-            std::string((count * BarMost + most - 1) / most, '#') + '\n';
+  for (const auto &[ms, each] : flight.rate().intervals()) {
+    text += line::format("%12llu %9lu  ", static_cast<unsigned long long>(ms), each.count) +
+            std::string((each.count * BarMost + most - 1) / most, '#') + '\n';
   }
   return text;
 }
@@ -101,34 +90,34 @@ std::string findingText(sbus::Finding finding) {
 }
 
 std::string text(const line::FlightLog &flight, const SourceOption &source, sbus::Finding finding) {
-  const sbus::Counters counters = flight.observer().counters();
+  const line::FlightCounts &counts = flight.counts();
   const std::string damage = source.isFile() ? source.file().damage : "";
   return source.name() + ": " + flight.variant() + ", " +
          line::format(
              "%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
-             static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
-             static_cast<unsigned long>(counters.failsafeFrames), flight.observer().discardedBytes(),
-             flight.observer().characterErrors()) +
-         (damage.empty() ? findingText(finding) : "finding      " + damage + '\n') + (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
+             counts.frames, counts.lostFrames, counts.failsafeFrames, counts.discardedBytes, counts.characterErrors) +
+         (damage.empty() ? findingText(finding) : "finding      " + damage + '\n') +
+         (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 
-std::string json(const line::FlightLog &flight, const SourceOption &source) {
+std::string json(const line::ObservedFlight &observed, const SourceOption &source) {
+  const line::FlightLog &flight = observed.log();
   Json summary("summary");
   summary.text("line", flight.variant());
   const auto known = [&source](uint64_t us) {
     return source.hasTimes() ? std::to_string(static_cast<int64_t>(us) + source.zeroUs()) : "null";
   };
   summary.digits("from_us", known(flight.firstUs())).digits("to_us", known(flight.lastUs()));
-  summary.counts(flight.observer().counters())
-      .number("discarded_bytes", flight.observer().discardedBytes())
-      .number("character_errors", flight.observer().characterErrors());
+  summary.counts(observed.observer().counters())
+      .number("discarded_bytes", uint64_t{flight.counts().discardedBytes})
+      .number("character_errors", uint64_t{flight.counts().characterErrors});
   std::string lines = summary.line();
   if (source.hasTimes()) {
-    for (const Listed &each : AllListed) {
+    for (const line::SpanName &each : line::SpanNames) {
       lines += json(each.type, flight.spans(each.kind), source.zeroUs());
     }
-    for (const auto &[ms, count] : flight.intervals()) {
-      lines += Json("interval").number("ms", ms).number("count", count).line();
+    for (const auto &[ms, each] : flight.rate().intervals()) {
+      lines += Json("interval").number("ms", ms).number("count", uint64_t{each.count}).line();
     }
   }
   return lines;
@@ -153,7 +142,7 @@ std::string html(const line::FlightLog &flight, const SourceOption &source) {
 
 void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
-  line::FlightLog flight(input->settings().characterUs(), source.zeroUs());
+  line::ObservedFlight flight(input->settings().characterUs(), source.zeroUs());
   SilenceNote silence(source.name(), "frames", source.isFile());
   line::Examination examination;
   uint64_t lastUs = 0;
@@ -187,11 +176,11 @@ void run(const SourceOption &source, const Options &options) {
   silence.end(flight.any());
   if (options.html.given()) {
     rejectSameFile(source.name(), options.output);
-    const std::string page = html(flight, source);
+    const std::string page = html(flight.log(), source);
     writeTo(options.output, File::New, [&page](const Put &put) { put(page); });
   } else {
     write(options.json ? source.json().line() + json(flight, source)
-                       : text(flight, source, finding));
+                       : text(flight.log(), source, finding));
     if (!options.json && !input->note().empty()) {
       write(input->note() + '\n');
     }
@@ -216,8 +205,9 @@ void addSummary(CLI::App &app) {
           .type("FILE.html");
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. PC late: a port was read 0.1 s late or "
-      "more, so the line's state in that time is unknown.");
+      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. "
+      "PC late: bytes came 0.1 s late or "
+      "more, from a busy PC or a stalled adapter, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -1,22 +1,22 @@
-// One of the two lines being compared: passes its frames to the Aligner.
+// One of the two lines being compared: passes its frames to the Comparison.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include "line/Observer.h"
-#include "line/compare/Aligner.h"
+#include "line/compare/Comparison.h"
 
 namespace line {
 
 class Compared {
  public:
   // `side`: 0 or 1.
-  Compared(size_t side, uint32_t characterUs, Aligner &aligner) : _side(side), _aligner(aligner) {
+  Compared(size_t side, uint32_t characterUs, Comparison &comparison) : _side(side), _comparison(comparison) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const Stretch &stretch) {
       if (stretch.isFrame() && stretch.kind != Stretch::Kind::Extra) {
-        _aligner.put(_side, timeOf(stretch.endUs()), _observer.newest(), stretch.lateUs());
+        _comparison.put(_side, timeOf(stretch.endUs()), _observer.newest(), stretch.lateUs());
       }
     });
   }
@@ -26,13 +26,13 @@ class Compared {
   // Sets the offset to add to its times. Its frames begin at time 0 or later.
   void begin(int64_t laterUs) {
     _laterUs = laterUs;
-    _aligner.knownUntil(_side, timeOf(0));
+    _comparison.knownUntil(_side, timeOf(0));
   }
 
   void put(const Character &character) { _observer.put(character); }
 
   // Takes the time up to which it is known.
-  void knownUntil(uint64_t us) { _aligner.knownUntil(_side, timeOf(us) - HeldUs); }
+  void knownUntil(uint64_t us) { _comparison.knownUntil(_side, timeOf(us) - HeldUs); }
 
   Observer &observer() { return _observer; }
 
@@ -42,7 +42,7 @@ class Compared {
   int64_t timeOf(uint64_t us) const { return static_cast<int64_t>(us) + _laterUs; }
 
   const size_t _side;
-  Aligner &_aligner;
+  Comparison &_comparison;
   Observer _observer;
   int64_t _laterUs = 0;
 };

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "line/Format.h"
+#include "line/Silence.h"
+
 namespace line {
 
 namespace {
@@ -15,7 +18,23 @@ bool isFlagged(const Values &values) {
 
 }  // namespace
 
-void Comparison::put(int64_t us, const Alignment &found) {
+Comparison::Comparison(std::function<void(const LostSpan &)> tell)
+    : _tell(std::move(tell)), _aligner([this](int64_t us, const Alignment &found) { take(us, found); }) {}
+
+void Comparison::put(size_t side, int64_t us, const Values &values, int64_t lateUs) {
+  Line &line = _lines[side];
+  const auto late = static_cast<uint32_t>(lateUs);
+  line.rate.put(static_cast<uint64_t>(us), late, line.channels > 0 && gapOf(line.lastUs, static_cast<uint64_t>(us), late) == Gap::Ordinary);
+  line.lastUs = static_cast<uint64_t>(us);
+  line.channels = values.count;
+  for (size_t i = 0; i < values.count && !values.failsafe; i++) {
+    line.least[i] = std::min(line.least[i], values.raw[i]);
+    line.most[i] = std::max(line.most[i], values.raw[i]);
+  }
+  _aligner.put(side, us, values, lateUs);
+}
+
+void Comparison::take(int64_t us, const Alignment &found) {
   if (found.kind == Alignment::Kind::Pair) {
     putPair(us, found);
     return;
@@ -148,8 +167,31 @@ Comparison::Counts Comparison::soFar() const {
   return counts;
 }
 
+std::string Comparison::rates() const {
+  constexpr unsigned long Least = 100;  // frames
+  const double a = _lines[0].rate.perSecond(), b = _lines[1].rate.perSecond();
+  return std::min(_counts.frames[0], _counts.frames[1]) < Least || std::max(a, b) < 1.2 * std::min(a, b)
+             ? ""
+             : format("A sends every %.2f ms, B every %.2f ms: frames differ while sticks move.", 1000 / a, 1000 / b);
+}
+
+std::string Comparison::scales() const {
+  constexpr int Moved = 200, Differ = 8;  // of 2048
+  const auto &[a, b] = _lines;
+  const bool areAlike = _counts.same * 2 >= std::min(_counts.frames[0], _counts.frames[1]);
+  for (size_t i = 0; !areAlike && i < std::min(a.channels, b.channels); i++) {
+    const int low[] = {a.least[i], b.least[i]}, high[] = {a.most[i], b.most[i]};
+    if (high[0] - low[0] >= Moved && high[1] - low[1] >= Moved &&
+        std::max(std::abs(low[0] - low[1]), std::abs(high[0] - high[1])) > Differ) {
+      return format("CH%zu goes from %d to %d in A, from %d to %d in B: their scales differ.", i + 1, low[0], high[0], low[1], high[1]);
+    }
+  }
+  return "";
+}
+
 // Frames after the other source's last one do not count as lost.
 void Comparison::finish() {
+  _aligner.finish();
   for (const size_t side : {size_t{0}, size_t{1}}) {
     if (_open[side] && _open[side]->isMissing) {
       _counts.alone[1 - side] += _open[side]->span.frames;

@@ -1,4 +1,4 @@
-// Counts an Aligner's findings: lost frames, delays, the first difference.
+// Compares the frames of two lines by an Aligner: lost frames, delays, the first difference.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "line/FrameRate.h"
 #include "line/compare/Aligner.h"
 #include "line/compare/Delays.h"
 
@@ -49,10 +50,16 @@ class Comparison {
   };
 
   // Calls `tell` with each span at its end.
-  explicit Comparison(std::function<void(const LostSpan &)> tell) : _tell(std::move(tell)) {}
+  explicit Comparison(std::function<void(const LostSpan &)> tell);
+  Comparison(const Comparison &) = delete;  // its aligner points to it
+  Comparison &operator=(const Comparison &) = delete;
 
-  void put(int64_t us, const Alignment &found);
+  // See Aligner.
+  void put(size_t side, int64_t us, const Values &values, int64_t lateUs = 0);
+  void knownUntil(size_t side, int64_t us) { _aligner.knownUntil(side, us); }
   void finish();
+
+  const Aligner &aligner() const { return _aligner; }
 
   // Returns true if a pair of frames had the same contents.
   bool any() const { return _counts.delays.count() > 0; }
@@ -62,12 +69,28 @@ class Comparison {
   // Returns the counts with what is being lost, while both go on.
   Counts soFar() const;
 
+  // Return why frames may differ, in a sentence, or "": "A sends every 9.00 ms, B every 14.00 ms: ..."; of receivers
+  // that scale the sticks differently the first channel with other ends, if hardly any frames are alike.
+  std::string rates() const;
+  std::string scales() const;
+
  private:
   struct Span {
     LostSpan span;
     bool isMissing;  // there was no frame
   };
 
+  // What a line has, without failsafe.
+  struct Line {
+    Line() { least.fill(UINT16_MAX); }
+
+    decltype(Values::raw) least, most{};  // of each channel
+    size_t channels = 0;
+    FrameRate rate;
+    uint64_t lastUs = 0;
+  };
+
+  void take(int64_t us, const Alignment &found);
   void putPair(int64_t us, const Alignment &found);
   void putDelay(int64_t us, const Alignment &found);
   void takeBack();
@@ -76,6 +99,8 @@ class Comparison {
   static void count(Counts &counts, const LostSpan &span);
 
   const std::function<void(const LostSpan &)> _tell;
+  Aligner _aligner;
+  std::array<Line, 2> _lines;
   Counts _counts;
   std::array<std::optional<Span>, 2> _open;
   bool _anyPair = false;

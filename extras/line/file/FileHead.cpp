@@ -139,8 +139,9 @@ std::string exportOf(std::string_view begin, const std::string &name) {
   for (const auto &row : rows) {
     const bool hasEnd = !row.end.empty() && small.size() > row.end.size() &&
                         small.compare(small.size() - row.end.size(), row.end.size(), row.end) == 0;
-    if ((!row.begin.empty() && begin.substr(0, row.begin.size()) == row.begin) || (hasEnd && !isText) ||
-        (!row.entry.empty() && begin.substr(0, 4) == "PK\x03\x04" && begin.substr(30, row.entry.size()) == row.entry)) {
+    const bool isEntry = !row.entry.empty() && begin.substr(0, 4) == "PK\x03\x04" && begin.size() >= 30 &&
+                         begin.substr(30, row.entry.size()) == row.entry;
+    if ((!row.begin.empty() && begin.substr(0, row.begin.size()) == row.begin) || (hasEnd && !isText) || isEntry) {
       return row.what;
     }
   }
@@ -210,7 +211,7 @@ FileHead readFileHead(std::string_view begin, const std::string &name, unsigned 
   return headOfText(kindOfText(text), text, baud);
 }
 
-std::unique_ptr<LineReader> makeReader(const FileHead &head) {
+std::unique_ptr<LineReader> makeReader(const FileHead &head, bool isWhole) {
   switch (head.kind) {
     case FileKind::Json:
       return std::make_unique<JsonReader>(head.settings);
@@ -220,7 +221,7 @@ std::unique_ptr<LineReader> makeReader(const FileHead &head) {
     case FileKind::Text:
       return std::make_unique<BytesReader>(head.begin, head.kind == FileKind::Text, head.settings);
     case FileKind::Recording:
-      return std::make_unique<RecordingReader>(head.settings.characterUs());
+      return std::make_unique<RecordingReader>(head.settings.characterUs(), isWhole);
     case FileKind::Rows:
       return std::make_unique<RowsReader>(head.settings.characterUs());
     case FileKind::Capture:

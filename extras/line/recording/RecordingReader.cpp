@@ -42,6 +42,14 @@ void RecordingReader::comment(std::string_view text) {
 }
 
 std::string RecordingReader::line(std::string_view text, std::deque<Character> &characters) {
+  const std::string wrong = take(text, characters);
+  if (!wrong.empty()) {
+    _lateReads.finish(characters);
+  }
+  return wrong;
+}
+
+std::string RecordingReader::take(std::string_view text, std::deque<Character> &characters) {
   text = std::exchange(_isFirst, false) ? withoutMark(text) : text;
   const size_t nul = text.find('\0');
   if (nul != std::string_view::npos) {
@@ -83,7 +91,11 @@ std::string RecordingReader::line(std::string_view text, std::deque<Character> &
     if (!parseCharacter(word, character)) {
       return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
     }
-    characters.push_back(character);
+    if (_isWhole) {
+      _lateReads.put(character, characters);
+    } else {
+      characters.push_back(character);
+    }
     _lastUs = character.endUs;
     _any = true;
     character.endUs += _characterUs;
@@ -91,7 +103,8 @@ std::string RecordingReader::line(std::string_view text, std::deque<Character> &
   return {};
 }
 
-std::string RecordingReader::finish(std::deque<Character> & /*characters*/) {
+std::string RecordingReader::finish(std::deque<Character> &characters) {
+  _lateReads.finish(characters);
   _hasEnded = true;
   return _any ? "" : Empty;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "line/file/LineReader.h"
+#include "line/recording/LateReads.h"
 
 namespace line {
 
@@ -13,8 +14,10 @@ namespace line {
 // failed.
 class RecordingReader : public LineReader {
  public:
-  // `characterUs` is the time of a character on the line.
-  explicit RecordingReader(uint32_t characterUs = CharacterUs) : _characterUs(characterUs) {}
+  // `characterUs` is the time of a character on the line. `isWhole`: nobody writes it any more, and LateReads may hold
+  // characters back.
+  explicit RecordingReader(uint32_t characterUs = CharacterUs, bool isWhole = false)
+      : _characterUs(characterUs), _isWhole(isWhole) {}
 
   std::string line(std::string_view text, std::deque<Character> &characters) override;
   std::string finish(std::deque<Character> &characters) override;
@@ -23,8 +26,11 @@ class RecordingReader : public LineReader {
 
  private:
   void comment(std::string_view text);
+  std::string take(std::string_view text, std::deque<Character> &characters);
 
   const uint32_t _characterUs;
+  const bool _isWhole;
+  LateReads _lateReads;
   uint64_t _lastUs = 0;  // the newest character's end
   bool _any = false;
   bool _isFirst = true;  // the next line is

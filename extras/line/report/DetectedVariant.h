@@ -6,17 +6,20 @@
 #include <iterator>
 #include <string>
 
-#include "line/Observer.h"
+#include "line/Segments.h"
+#include "sbus/Frame.h"
 
 namespace line {
 
 class DetectedVariant {
  public:
-  void take(const Stretch &stretch) {
-    const uint8_t variant = sbus::variantOfEnd(stretch.characters.back().value);
-    _of24 += stretch.kind == Stretch::Kind::Frame24;
-    _extra += stretch.kind == Stretch::Kind::Extra;
-    if (stretch.kind == Stretch::Kind::Frame && variant != sbus::UnknownVariant) {
+  void take(const Stretch &stretch) { take(stretch.kind, stretch.characters.back().value); }
+  // Takes a frame with its end byte.
+  void take(Stretch::Kind kind, uint8_t end) {
+    const uint8_t variant = sbus::variantOfEnd(end);
+    _of24 += kind == Stretch::Kind::Frame24;
+    _extra += kind == Stretch::Kind::Extra;
+    if (kind == Stretch::Kind::Frame && variant != sbus::UnknownVariant) {
       _of16[variant]++;
     }
   }

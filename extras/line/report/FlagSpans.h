@@ -20,6 +20,17 @@ struct FlagSpan {
   uint64_t us() const { return toUs - fromUs; }
 };
 
+// The kinds, as a text and JSON name them, and by their colour in a report.
+struct SpanName {
+  FlagSpan::Kind kind;
+  const char *name, *type, *colour;
+};
+constexpr SpanName SpanNames[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe", "failsafe"},
+                                  {FlagSpan::Kind::NoPulses, "no pulses", "no_pulses", "failsafe"},
+                                  {FlagSpan::Kind::LostFrame, "lost frames", "lost_frames", "lost"},
+                                  {FlagSpan::Kind::NoFrames, "no frames", "no_frames", "silent"},
+                                  {FlagSpan::Kind::Late, "PC late", "late", "late"}};
+
 // Returns their total length.
 inline uint64_t sumUs(const std::vector<FlagSpan> &spans) {
   uint64_t us = 0;

@@ -40,8 +40,8 @@ class Judge {
     part.late = lateUs > 0;
     const uint64_t lengthUs = part.toUs - part.fromUs;
     const double expected =
-        static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.framesPerSecond();
-    const double missing = std::max(0.0, std::floor(expected) - sum.frames);  // one may be on the border
+        static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.rate().perSecond();
+    const double missing = std::max(0.0, std::floor(expected - _flight.rate().uncertain()) - sum.frames);  // one may be on the border
     const double all = sum.frames + (missing > 1 ? missing : 0);
     part.lost = all > 0 ? (sum.lost + (missing > 1 ? missing : 0)) / all : 0;
     return part;
@@ -75,35 +75,24 @@ std::string times(const std::vector<FlagSpan> &spans) {
 
 }  // namespace
 
-FlightLog::FlightLog(uint32_t characterUs, int64_t zeroUs) : _zeroUs(zeroUs) {
-  _observer.reset(0, characterUs);
-  _observer.listen([this](const Stretch &stretch) { take(stretch); });
-}
-
-void FlightLog::finish() {
-  _observer.finish();
+void FlightLog::finish(const FlightCounts &counts) {
+  _counts = counts;
   _flags.finish();
 }
 
-void FlightLog::take(const Stretch &stretch) {
-  _variant.take(stretch);
-  if (!stretch.isFrame() || stretch.kind == Stretch::Kind::Extra) {
+void FlightLog::put(const FlightFrame &frame) {
+  _variant.take(frame.kind, frame.end);
+  if (frame.kind == Stretch::Kind::Extra) {
     return;
   }
-  const uint64_t us = stretch.endUs();
-  const bool isJoined = !_flags.brokenUntil(us, stretch.lateUs()) && _flags.lastUs() > 0;
-  if (isJoined) {
-    _intervals[(us - _flags.lastUs() + 500) / 1000]++;
-  }
-  const bool isLost = _observer.newest().lostFrame;
-  const bool isPulseless = _observer.newest().hasNoPulses();
-  const bool isFailsafe = _observer.inFailsafe();
-  FlightSecond &second = _seconds[us / SecondUs];
+  const bool isJoined = !_flags.brokenUntil(frame.us, frame.lateUs) && _flags.lastUs() > 0;
+  _rate.put(frame.us, frame.lateUs, isJoined);
+  FlightSecond &second = _seconds[frame.us / SecondUs];
   second.frames++;
-  second.lost += isLost;
-  second.failsafe += isFailsafe || isPulseless;
-  _curves.put(us, _observer.newest().raw.data(), isJoined);
-  _flags.put(us, isFailsafe, isLost, isPulseless);
+  second.lost += frame.lost;
+  second.failsafe += frame.failsafe || frame.pulseless;
+  _curves.put(frame.us, frame.channels.data(), isJoined);
+  _flags.put(frame.us, frame.failsafe, frame.lost, frame.pulseless);
 }
 
 std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
@@ -111,34 +100,6 @@ std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
   std::copy_if(_flags.all().begin(), _flags.all().end(), std::back_inserter(spans),
                [kind](const FlagSpan &span) { return span.kind == kind; });
   return spans;
-}
-
-// The most frequent interval is the receiver's, in whole milliseconds; the frames near it give its fraction.
-double FlightLog::framesPerSecond() const {
-  const auto most = std::max_element(_intervals.begin(), _intervals.end(),
-                                     [](const auto &a, const auto &b) { return a.second < b.second; });
-  if (most == _intervals.end() || most->first == 0) {
-    return 0;
-  }
-  double sum = 0;
-  unsigned long count = 0;
-  for (const auto &[ms, frames] : _intervals) {
-    if (ms + 2 >= most->first && ms <= most->first + 2) {
-      sum += static_cast<double>(ms) * static_cast<double>(frames);
-      count += frames;
-    }
-  }
-  return 1000.0 * static_cast<double>(count) / sum;
-}
-
-unsigned long FlightLog::missing() const {
-  const double perMs = framesPerSecond() / 1000;
-  unsigned long missing = 0;
-  for (const auto &[ms, count] : _intervals) {
-    const double periods = std::round(static_cast<double>(ms) * perMs);
-    missing += periods > 1 ? static_cast<unsigned long>(periods - 1) * count : 0;
-  }
-  return missing;
 }
 
 std::vector<FlightRating> stripOf(const FlightLog &flight, size_t count) {
@@ -186,10 +147,10 @@ FlightVerdict verdictOf(const FlightLog &flight) {
   const std::vector<FlagSpan> failsafe = flight.spans(FlagSpan::Kind::Failsafe);
   const std::vector<FlagSpan> pulseless = flight.spans(FlagSpan::Kind::NoPulses);
   const std::vector<FlagSpan> silences = flight.spans(FlagSpan::Kind::NoFrames);
-  const sbus::Counters counters = flight.observer().counters();
-  const unsigned long all = counters.frames + flight.missing();
+  const FlightCounts &counters = flight.counts();
+  const unsigned long all = counters.frames + flight.rate().missing();
   const double lost =
-      all > 0 ? static_cast<double>(counters.lostFrames + flight.missing()) / static_cast<double>(all) : 0;
+      all > 0 ? static_cast<double>(counters.lostFrames + flight.rate().missing()) / static_cast<double>(all) : 0;
   const std::string lostText = format("%.2f %% of the frames lost", 100 * lost);
   std::string text;
   const auto add = [&text](const char *name, const std::vector<FlagSpan> &spans) {

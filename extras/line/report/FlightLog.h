@@ -2,12 +2,14 @@
 // with the number of frames.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "line/Observer.h"
+#include "line/FrameRate.h"
+#include "line/Segments.h"
 #include "line/report/Curves.h"
 #include "line/report/DetectedVariant.h"
 #include "line/report/FlagSpans.h"
@@ -21,19 +23,31 @@ struct FlightSecond {
   unsigned failsafe = 0;  // in failsafe, or without pulses
 };
 
+// A frame, as an Observer has found it.
+struct FlightFrame {
+  Stretch::Kind kind;
+  uint8_t end;  // its end byte
+  uint64_t us;
+  uint32_t lateUs;
+  bool failsafe, lost, pulseless;
+  std::array<uint16_t, Curves::Channels> channels;  // raw values
+};
+
+// The whole line's.
+struct FlightCounts {
+  unsigned long frames, lostFrames, failsafeFrames, discardedBytes, characterErrors;
+};
+
 class FlightLog {
  public:
   // `zeroUs`: the source's own time at time 0; not above 0.
-  explicit FlightLog(uint32_t characterUs, int64_t zeroUs = 0);
-  FlightLog(const FlightLog &) = delete;  // its observer's listener points to it
-  FlightLog &operator=(const FlightLog &) = delete;
+  explicit FlightLog(int64_t zeroUs = 0) : _zeroUs(zeroUs) {}
 
-  void put(const Character &character) { _observer.put(character); }
-  void idleUntil(uint64_t us) { _observer.idleUntil(us); }
-  void finish();
+  void put(const FlightFrame &frame);
+  void finish(const FlightCounts &counts);
 
-  bool any() const { return _observer.counters().frames > 0; }
-  const Observer &observer() const { return _observer; }
+  // Returns the counts, after finish().
+  const FlightCounts &counts() const { return _counts; }
   std::string variant() const { return _variant.text(); }
   uint64_t firstUs() const { return _flags.firstUs(); }
   uint64_t lastUs() const { return _flags.lastUs(); }
@@ -44,28 +58,18 @@ class FlightLog {
   // Returns the spans of a kind in order.
   std::vector<FlagSpan> spans(FlagSpan::Kind kind) const;
 
-  // Returns the number of frames for each interval, in rounded milliseconds, from the end of the previous frame.
-  const std::map<uint64_t, unsigned long> &intervals() const { return _intervals; }
-
   // Returns the seconds with frames, by number.
   const std::map<uint64_t, FlightSecond> &seconds() const { return _seconds; }
 
-  // Returns the number of frames missing between frames less than 0.1 s apart.
-  unsigned long missing() const;
-
-  // Returns the expected frames per second; 0 if unknown.
-  double framesPerSecond() const;
-
+  const FrameRate &rate() const { return _rate; }
   const Curves &curves() const { return _curves; }
 
  private:
-  void take(const Stretch &stretch);
-
   const int64_t _zeroUs;
-  Observer _observer;
+  FlightCounts _counts{};
   DetectedVariant _variant;
   FlagSpans _flags;
-  std::map<uint64_t, unsigned long> _intervals;
+  FrameRate _rate;
   std::map<uint64_t, FlightSecond> _seconds;
   Curves _curves;
 };

@@ -1,6 +1,7 @@
 #include "line/report/HtmlReport.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -51,21 +52,15 @@ std::string escaped(const std::string &text) {
   return safe;
 }
 
-struct Listed {
-  FlagSpan::Kind kind;
-  const char *name;
-  const char *colour;
-  const char *cause;  // shown for a bad second; empty: only lost frames
-};
-constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "Failsafe", "failsafe", "failsafe"},
-                                {FlagSpan::Kind::NoPulses, "No pulses", "failsafe", "no pulses"},
-                                {FlagSpan::Kind::NoFrames, "No frames", "silent", "no frames"},
-                                {FlagSpan::Kind::LostFrame, "Lost frames", "lost", ""},
-                                {FlagSpan::Kind::Late, "PC late", "late", "PC late"}};
+const SpanName &named(FlagSpan::Kind kind) {
+  return *std::find_if(std::begin(SpanNames), std::end(SpanNames), [kind](const SpanName &each) { return each.kind == kind; });
+}
 
-const Listed &listed(FlagSpan::Kind kind) {
-  return *std::find_if(std::begin(AllListed), std::end(AllListed),
-                       [kind](const Listed &each) { return each.kind == kind; });
+// Returns the name at the beginning of a line.
+std::string title(const SpanName &each) {
+  std::string text = each.name;
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 // Returns "61.250 s" for less than an hour, otherwise "1:01:01.250".
@@ -98,13 +93,13 @@ std::string strip(const FlightLog &flight) {
       text += format(
           "<rect class=\"%s\" x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\"><title>%s: %.1f %% "
           "lost</title></rect>\n",
-          listed(part.kind()).colour, static_cast<double>(i) * Width, Height - 1 - height, Width, height,
+          named(part.kind()).colour, static_cast<double>(i) * Width, Height - 1 - height, Width, height,
           timeText(flight.shownUs(part.fromUs)).c_str(), 100 * part.lost);
     }
   }
   text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.shownUs(flight.firstUs())) + " to " + timeText(flight.shownUs(flight.lastUs()));
-  for (const Listed &each : AllListed) {
-    text += std::string("<i class=\"") + each.colour + "\"></i>" + each.name;
+  for (const SpanName &each : SpanNames) {
+    text += std::string("<i class=\"") + each.colour + "\"></i>" + title(each);
   }
   return text + "</p>\n";
 }
@@ -113,7 +108,7 @@ std::string worst(const FlightLog &flight) {
   std::string rows;
   for (const FlightRating &part : worstSeconds(flight, WorstMost)) {
     rows += "<tr>" + cell(timeText(flight.shownUs(part.fromUs))) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
-            listed(part.kind()).cause + "</td></tr>\n";
+            (part.kind() == FlagSpan::Kind::LostFrame ? "" : named(part.kind()).name) + "</td></tr>\n";
   }
   const std::string other = flight.spans(FlagSpan::Kind::Failsafe).size() + flight.spans(FlagSpan::Kind::NoPulses).size() +
                                         flight.spans(FlagSpan::Kind::NoFrames).size() > 0 ? "other " : "";
@@ -124,12 +119,12 @@ std::string worst(const FlightLog &flight) {
          "</section>\n";
 }
 
-std::string spans(const FlightLog &flight, const Listed &listed) {
+std::string spans(const FlightLog &flight, const SpanName &listed) {
   const std::vector<FlagSpan> all = flight.spans(listed.kind);
   if (all.empty()) {
     return {};
   }
-  std::string text = std::string("<section><h2>") + listed.name +
+  std::string text = "<section><h2>" + title(listed) +
                      format(": %zu %s, %.3f s in all", all.size(), all.size() == 1 ? "time" : "times",
                             static_cast<double>(sumUs(all)) / 1e6) +
                      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
@@ -141,21 +136,20 @@ std::string spans(const FlightLog &flight, const Listed &listed) {
 }
 
 std::string facts(const FlightLog &flight, const ReportFacts &facts) {
-  const Observer &observer = flight.observer();
-  const sbus::Counters counters = observer.counters();
+  const FlightCounts &counts = flight.counts();
   std::string text = "<p class=\"quiet\">" + escaped(flight.variant()) + ", " + escaped(facts.settings);
   text += facts.startUs ? ", " + wallTime(*facts.startUs).substr(0, 19).replace(10, 1, " ") + " UTC" : "";
-  text += format(
-      "</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
-      timeText(static_cast<int64_t>(flight.lastUs() - flight.firstUs())).c_str(), static_cast<unsigned long>(counters.frames),
-      flight.framesPerSecond(), static_cast<unsigned long>(counters.lostFrames), flight.missing(),
-      static_cast<unsigned long>(counters.failsafeFrames));
-  return text + format("%lu discarded bytes, %lu character errors.</p>\n", observer.discardedBytes(),
-                       observer.characterErrors());
+  text += format("</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
+                 timeText(static_cast<int64_t>(flight.lastUs() - flight.firstUs())).c_str(), counts.frames,
+                 flight.rate().perSecond(), counts.lostFrames, flight.rate().missing(), counts.failsafeFrames);
+  return text + format("%lu discarded bytes, %lu character errors.</p>\n", counts.discardedBytes, counts.characterErrors);
 }
 
 std::string intervals(const FlightLog &flight) {
-  std::vector<std::pair<uint64_t, unsigned long>> all(flight.intervals().begin(), flight.intervals().end());
+  std::vector<std::pair<uint64_t, unsigned long>> all;
+  for (const auto &[ms, each] : flight.rate().intervals()) {
+    all.emplace_back(ms, each.count);
+  }
   std::stable_sort(all.begin(), all.end(), [](const auto &a, const auto &b) { return a.second > b.second; });
   all.resize(std::min(all.size(), WorstMost));
   std::sort(all.begin(), all.end());
@@ -185,7 +179,7 @@ std::string htmlReport(const FlightLog &flight, const ReportFacts &about) {
   text += facts(flight, about);
   text += std::string("<p class=\"verdict ") + classOf(verdict.severity) + "\">" + verdict.text + "</p>\n";
   text += strip(flight) + curvesOf(flight) + "<div class=\"columns\">\n" + worst(flight);
-  for (const Listed &each : AllListed) {
+  for (const SpanName &each : SpanNames) {
     text += spans(flight, each);
   }
   return text + intervals(flight) + "</div>\n</body></html>\n";

@@ -79,22 +79,15 @@ class Drawing {
 
   // Shades the spans, and adds a legend below the axis. Lost frames are on the strip.
   void spans() {
-    const struct {
-      FlagSpan::Kind kind;
-      const char *name, *text;
-    } kinds[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
-                 {FlagSpan::Kind::NoPulses, "failsafe", "no pulses"},
-                 {FlagSpan::Kind::NoFrames, "silent", "no frames"},
-                 {FlagSpan::Kind::Late, "late", "PC late"}};
     double legend = Left;
-    for (const auto &kind : kinds) {
-      const std::vector<FlagSpan> all = _flight.spans(kind.kind);
+    for (const SpanName &kind : SpanNames) {
+      const std::vector<FlagSpan> all = kind.kind == FlagSpan::Kind::LostFrame ? std::vector<FlagSpan>() : _flight.spans(kind.kind);
       for (const FlagSpan &span : all) {
-        rectangle(kind.name, px(span.fromUs), Top, std::max(1.5, px(span.toUs) - px(span.fromUs)), PlotHeight);
+        rectangle(kind.colour, px(span.fromUs), Top, std::max(1.5, px(span.toUs) - px(span.fromUs)), PlotHeight);
       }
       if (!all.empty()) {
-        rectangle(kind.name, legend, Height - 24, 22, 12);
-        label(legend + 28, Height - 14, "start", kind.text);
+        rectangle(kind.colour, legend, Height - 24, 22, 12);
+        label(legend + 28, Height - 14, "start", kind.name);
         legend += 120;
       }
     }

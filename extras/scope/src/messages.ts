@@ -119,7 +119,7 @@ export interface Comparison {
   atZeroUs: number; // the delay at A's time 0
   laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
   evidence: string; // of the delay
-  ends: string; // that differ, if hardly any frames are alike; or ''
+  ends: string; // why frames differ: rates, and ends of channels; or ''
   areDelaysLate: boolean; // all of them are of frames that came while the PC was late
 }
 

@@ -266,7 +266,7 @@ export class Scope implements Sink {
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the bookmarks': () => this.bookmarksView.draw(),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
-      'The comparison': () => this.secondView.draw(this.curves.shownAs, status.gapMeanUs),
+      'The comparison': () => this.secondView.draw(this.curves.shownAs),
       'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
       'The view of the bytes': () => this.frames.draw(),

@@ -19,51 +19,18 @@ constexpr int64_t SilenceUs = 2000;     // between frames
 constexpr int64_t LiveHeldUs = 250000;  // a frame may wait for what follows it, and a port may be read this late
 
 struct Comparing {
-  explicit Comparing(int64_t later) : laterUs(later) {
-    least[0].fill(UINT16_MAX);
-    least[1] = least[0];
-  }
+  explicit Comparing(int64_t later) : laterUs(later) {}
 
   // Returns A's time of a line's time. `side`: 0 or 1.
   int64_t timeOf(unsigned side, double us) const { return static_cast<int64_t>(us) + (side == 1 ? laterUs : 0); }
 
-  void put(int64_t us, const line::Alignment &found) {
-    comparison.put(us, found);
-    for (size_t side = 0; side < 2; side++) {
-      if (const std::optional<line::Values> &values = found.values[side]; values && !values->failsafe) {
-        channels[side] = values->count;
-        for (size_t i = 0; i < values->count; i++) {
-          least[side][i] = std::min(least[side][i], values->raw[i]);
-          most[side][i] = std::max(most[side][i], values->raw[i]);
-        }
-      }
-    }
-  }
-
-  // Returns the first channel whose ends differ, if hardly any frames are alike: receivers scale sticks differently.
-  std::string ends(const line::Comparison::Counts &counts) const {
-    constexpr int Moved = 200, Differ = 8;  // of 2048
-    const size_t common = counts.same * 2 < std::min(counts.frames[0], counts.frames[1]) ? std::min(channels[0], channels[1]) : 0;
-    for (size_t i = 0; i < common; i++) {
-      const int low[] = {least[0][i], least[1][i]}, high[] = {most[0][i], most[1][i]};
-      if (high[0] - low[0] >= Moved && high[1] - low[1] >= Moved &&
-          std::max(std::abs(low[0] - low[1]), std::abs(high[0] - high[1])) > Differ) {
-        return line::format("CH%zu goes from %d to %d in A, from %d to %d in B: their scales differ.", i + 1, low[0], high[0], low[1], high[1]);
-      }
-    }
-    return "";
-  }
-
   line::Comparison comparison{[](const line::LostSpan &) {}};
-  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { put(us, found); }};
-  std::array<decltype(line::Values::raw), 2> least, most{};  // by side and channel, without failsafe
-  std::array<size_t, 2> channels{};
   const int64_t laterUs;
 };
 
 struct ComparingRecordings : Comparing {
   ComparingRecordings(const line::LineSettings &settings, int64_t later)
-      : Comparing(later), b(1, settings.characterUs(), aligner) {
+      : Comparing(later), b(1, settings.characterUs(), comparison) {
     a.begin(0);
     b.begin(later);
   }
@@ -85,7 +52,7 @@ struct ComparingRecordings : Comparing {
     }
   }
 
-  line::Compared a{0, theTape.settings.characterUs(), aligner};
+  line::Compared a{0, theTape.settings.characterUs(), comparison};
   line::Compared b;
   size_t taken = 0;    // characters of A
   int64_t lastUs = 0;  // of the newest character of B
@@ -111,6 +78,9 @@ std::string json(const std::vector<line::LostSpan> &spans) {
 
 std::string json(const Comparing &found, const line::Comparison::Counts &counts) {
   const line::Delays &delays = counts.delays;
+  const line::Comparison &comparison = found.comparison;
+  const std::string rates = comparison.rates(), scales = comparison.scales();
+  const std::string why = rates + (rates.empty() || scales.empty() ? "" : " ") + scales;
   return "{" + pair("frames", counts.frames) + pair("alone", counts.alone) + pair("lost", counts.lost) +
          pair("spans", counts.spans) + pair("late", counts.late) + "\"longest\":[" + json(counts.longest[0]) + "," +
          json(counts.longest[1]) + "]," +
@@ -120,7 +90,7 @@ std::string json(const Comparing &found, const line::Comparison::Counts &counts)
              "\"ends\":\"%s\",\"areDelaysLate\":%s}",
              counts.same, counts.different, delays.count(), static_cast<long long>(delays.medianUs()),
              static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()), delays.driftPpm(),
-             delays.at(0), static_cast<long long>(found.laterUs), found.aligner.evidence().c_str(), found.ends(counts).c_str(),
+             delays.at(0), static_cast<long long>(found.laterUs), comparison.aligner().evidence().c_str(), why.c_str(),
              counts.areDelaysLate ? "true" : "false");
 }
 
@@ -174,7 +144,6 @@ EXPORT(comparison)()->const char * {
   }
   comparing->a.observer().finish();
   comparing->b.observer().finish();
-  comparing->aligner.finish();
   comparing->comparison.finish();
   words = json(*comparing, comparing->comparison.counts());
   comparing.reset();
@@ -184,8 +153,8 @@ EXPORT(comparison)()->const char * {
 // Begins a comparison of live lines. B's time 0 is `laterUs` after A's.
 EXPORT(compareLive)(double laterUs)->void {
   live = std::make_unique<Comparing>(static_cast<int64_t>(laterUs));
-  live->aligner.knownUntil(0, live->timeOf(0, 0));
-  live->aligner.knownUntil(1, live->timeOf(1, 0));
+  live->comparison.knownUntil(0, live->timeOf(0, 0));
+  live->comparison.knownUntil(1, live->timeOf(1, 0));
 }
 
 // The next records of a line, 0 or 1, are in the buffer, `size` bytes of them.
@@ -193,7 +162,7 @@ EXPORT(compareRecords)(unsigned side, unsigned size)->void {
   const auto *const records = reinterpret_cast<const Record *>(transfer);
   for (const Record *record = records; record != records + size / sizeof *record; record++) {
     if (record->kind <= static_cast<uint8_t>(Kind::Frame24)) {
-      live->aligner.put(side, live->timeOf(side, record->endUs), valuesOf(*record),
+      live->comparison.put(side, live->timeOf(side, record->endUs), valuesOf(*record),
                         static_cast<int64_t>(record->lateUs));
     }
   }
@@ -201,7 +170,7 @@ EXPORT(compareRecords)(unsigned side, unsigned size)->void {
 
 // No other record of that line comes up to this time of it.
 EXPORT(comparedUntil)(unsigned side, double us)->void {
-  live->aligner.knownUntil(side, live->timeOf(side, us) - LiveHeldUs);
+  live->comparison.knownUntil(side, live->timeOf(side, us) - LiveHeldUs);
 }
 
 // Returns what was found so far.

@@ -11,15 +11,12 @@ using namespace scope;
 
 namespace {
 
-using Kind = line::FlagSpan::Kind;
-
-constexpr size_t PartMax = 50000;  // characters, which are decoded in 10 ms or so
 constexpr size_t StripParts = 512;
 constexpr size_t WorstMost = 10;
 constexpr size_t SpansMost = 10;  // of a kind
 
-std::unique_ptr<line::FlightLog> flight;
-size_t taken;
+std::unique_ptr<line::FlightLog> growing;  // while the recording is decoded
+std::unique_ptr<line::FlightLog> flight;   // once it is
 std::string words;
 
 unsigned long long number(uint64_t us) {
@@ -46,18 +43,17 @@ std::string json(const std::vector<line::FlagSpan> &spans) {
 
 std::string json(const line::FlightLog &log) {
   const line::FlightVerdict verdict = verdictOf(log);
-  const sbus::Counters counters = log.observer().counters();
+  const line::FlightCounts &counts = log.counts();
   std::string text = line::format("{\"severity\":%d,\"text\":\"%s\",\"fromUs\":%llu,\"toUs\":%llu,",
                                   static_cast<int>(verdict.severity), verdict.text.c_str(), number(log.firstUs()),
                                   number(log.lastUs()));
   text += line::format(
       "\"frames\":%lu,\"lostFrames\":%lu,\"failsafeFrames\":%lu,\"missing\":%lu,\"framesPerSecond\":%.3f,"
       "\"discardedBytes\":%lu,\"characterErrors\":%lu,\"spans\":[",
-      static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
-      static_cast<unsigned long>(counters.failsafeFrames), log.missing(), log.framesPerSecond(),
-      log.observer().discardedBytes(), log.observer().characterErrors());
-  for (const Kind kind : {Kind::Failsafe, Kind::NoPulses, Kind::LostFrame, Kind::NoFrames, Kind::Late}) {
-    text += (kind == Kind::Failsafe ? "" : ",") + json(log.spans(kind));
+      counts.frames, counts.lostFrames, counts.failsafeFrames, log.rate().missing(), log.rate().perSecond(),
+      counts.discardedBytes, counts.characterErrors);
+  for (const line::SpanName &each : line::SpanNames) {
+    text += (&each == line::SpanNames ? "" : ",") + json(log.spans(each.kind));
   }
   return text + "],\"worst\":" + json(worstSeconds(log, WorstMost)) + ",\"strip\":" + json(stripOf(log, StripParts)) +
          "}";
@@ -65,27 +61,35 @@ std::string json(const line::FlightLog &log) {
 
 }  // namespace
 
-// Takes the next part of the recording. Call it again until it returns 1.
-EXPORT(flightPart)()->int {
-  const line::Characters &characters = theTape.recording.characters;
-  if (!flight) {
-    flight = std::make_unique<line::FlightLog>(theTape.settings.characterUs());
-  }
-  for (const size_t end = std::min(taken + PartMax, characters.size()); taken < end; taken++) {
-    flight->put(characters[taken]);
-  }
-  if (taken < characters.size()) {
-    return 0;
-  }
-  flight->finish();
-  return 1;
+// Before the first records.
+EXPORT(beginFlight)()->void {
+  growing = std::make_unique<line::FlightLog>();
 }
 
-// After the last part. Returns "" of a recording without frames.
-EXPORT(flightNumbers)()->const char * {
-  words = flight->any() ? json(*flight) : "";
+// The recording's next records are in the buffer, `size` bytes of them.
+EXPORT(flightRecords)(unsigned size)->void {
+  const auto *const records = reinterpret_cast<const Record *>(transfer);
+  for (const Record *record = records; record != records + size / sizeof *record; record++) {
+    if (record->kind <= static_cast<uint8_t>(scope::Kind::Extra)) {
+      line::FlightFrame frame{static_cast<line::Stretch::Kind>(record->kind), record->bytes[record->size - 1],
+                              static_cast<uint64_t>(record->endUs), static_cast<uint32_t>(record->lateUs),
+                              (record->flags & sbus::FlagFailsafe) != 0, (record->flags & sbus::FlagLostFrame) != 0,
+                              (record->flags & FlagNoPulses) != 0, {}};
+      std::transform(record->channels, record->channels + frame.channels.size(), frame.channels.begin(),
+                     [](double raw) { return static_cast<uint16_t>(raw); });
+      growing->put(frame);
+    }
+  }
+}
+
+// After the last records, with the counts of the decoder. Returns "" of a recording without frames.
+EXPORT(flightNumbers)(unsigned frames, unsigned lost, unsigned failsafe, unsigned discarded, unsigned errors)->const char * {
+  growing->finish({frames, lost, failsafe, discarded, errors});
+  flight = std::move(growing);
+  words = frames > 0 ? json(*flight) : "";
   return words.c_str();
 }
+
 EXPORT(flightPage)()->const char * {
   words = htmlReport(*flight, {theTape.name, text(theTape.settings), theTape.startUs});
   return words.c_str();

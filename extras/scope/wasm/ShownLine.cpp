@@ -75,7 +75,11 @@ void ShownLine::receivedBad(uint64_t nowUs) {
 }
 
 void ShownLine::put(const line::Character &character) {
-  recorder.put(character);
+  if (_isRecording) {  // the characters of a read may have been on the line a little before
+    line::Character recorded = character;
+    recorded.endUs = std::max(character.endUs, _recordedUs + settings.characterUs());
+    recorder.put(recorded);
+  }
   observer.put(character);
   _characterUs = character.endUs;
   _lateReads += character.lateUs >= line::SilenceUs && character.lateUs != _lateUs;
@@ -84,10 +88,14 @@ void ShownLine::put(const line::Character &character) {
 
 void ShownLine::record(bool on) {
   if (on) {
-    recorder.begin(settings, _turnUs);
-  } else {
-    recorder.end();
+    _recordedUs = _turnUs;
+    recorder = line::RecordingWriter();
+    recorder.setZero(-static_cast<int64_t>(_turnUs));
+    recorder.opened(settings);
+  } else if (_isRecording) {
+    recorder.finish();
   }
+  _isRecording = on;
 }
 
 void ShownLine::advance(uint64_t nowUs) {

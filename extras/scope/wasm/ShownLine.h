@@ -10,13 +10,13 @@
 #include "Damage.h"
 #include "FedLine.h"
 #include "SimulatedLine.h"
-#include "TextRecorder.h"
 #include "VerdictOfSecond.h"
 #include "line/Condition.h"
 #include "line/Examination.h"
 #include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/ports/PortReads.h"
+#include "line/recording/RecordingWriter.h"
 #include "line/telemetry/Readings.h"
 
 namespace scope {
@@ -133,7 +133,7 @@ class ShownLine {
   std::unique_ptr<SimulatedLine> simulated;  // at most one of the two; none for a port, which the browser reads
   std::unique_ptr<FedLine> played;
   std::vector<Record> records;
-  TextRecorder recorder;
+  line::RecordingWriter recorder;
 
  private:
   void put(const line::Character &character);
@@ -149,6 +149,8 @@ class ShownLine {
   line::PortReads _reads;         // of a port
   Damage _damage;
   std::optional<line::Condition> _condition;
+  bool _isRecording = false;
+  uint64_t _recordedUs = 0;  // from when on
   bool _holds = false;       // the condition
   bool _isRejected = false;  // the newest stretch
   uint64_t _characterUs = 0;

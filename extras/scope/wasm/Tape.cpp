@@ -144,7 +144,7 @@ EXPORT(openFile)(unsigned count)->const char * {
   head = line::readFileHead(transferred(count), name);
   settings = head.settings;
   theTape.startUs = head.startUs;
-  reader = line::makeReader(head);
+  reader = line::makeReader(head, true);
   if (head.kind == line::FileKind::Capture) {
     capture = std::make_unique<line::RecordedCapture>(overrides, true);
     captureText = std::make_unique<line::CaptureText>(name, overrides, capture->wire());

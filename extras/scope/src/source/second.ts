@@ -26,7 +26,7 @@ export abstract class Second implements Sink {
   // Returns undefined before it is made, null if both have no frame in common.
   abstract get comparison(): Comparison | null | undefined;
 
-  // Which ends of channels differ, or ''.
+  // Why frames differ: rates, and ends of channels; or ''.
   abstract get ends(): string;
 
   // The text to show until then.

@@ -12,7 +12,6 @@ import { listOf } from './report';
 import { type Area, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
 
 const names = ['A', 'B'];
-const ratesDiffer = 0.2; // logarithm of their ratio
 const ms = (us: number): string => `${(us / 1000).toFixed(2)} ms`;
 const counted = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
 
@@ -53,14 +52,14 @@ export class SecondView {
     this.shown = '';
   }
 
-  // Call it for each picture, after the curves. `lane`: as A is shown. `gapUs`: A's mean interval of frames.
-  draw(lane: Lane | undefined, gapUs: number): void {
+  // Call it for each picture, after the curves. `lane`: as A is shown.
+  draw(lane: Lane | undefined): void {
     const { second } = this;
     if (!second || !lane) {
       return;
     }
     const { history } = second;
-    this.tell(second, gapUs);
+    this.tell(second);
     this.lane = lane;
     const { curves, unit, edge, seconds } = lane;
     const shown = `${curves.map(({ column }) => column)} ${unit.low} ${unit.high}`;
@@ -76,8 +75,8 @@ export class SecondView {
     setText(byId('second-readout'), this.read(lane));
   }
 
-  private tell({ comparison, ends, waiting, problem, line }: Second, gapUs: number): void {
-    const { state, linkQuality, gapMeanUs } = line.status();
+  private tell({ comparison, ends, waiting, problem, line }: Second): void {
+    const { state, linkQuality } = line.status();
     const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
     setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${line.live?.note ?? ''}`.trim());
     if (!comparison) {
@@ -89,7 +88,6 @@ export class SecondView {
     setText(
       byId('second-text'),
       `B is ${ms(Math.abs(medianUs))} ${later} than A (${ms(leastUs)} to ${ms(mostUs)}, drift ${driftPpm.toFixed(1)} µs/s), by ${evidence}${areDelaysLate ? '; inaccurate, since the PC was late' : ''}. ` +
-        (gapMeanUs > 0 && gapUs > 0 && Math.abs(Math.log(gapMeanUs / gapUs)) > ratesDiffer ? `A sends every ${ms(gapUs)}, B every ${ms(gapMeanUs)}: frames differ while sticks move. ` : '') +
         (ends && `${ends} `) +
         `${counted(same, 'frame')} alike, ${different} different; ${alone[0]} only in A and ${alone[1]} only in B before or after the other.` +
         (late[0] + late[1] > 0 ? ` Not compared: ${late[0]} of A and ${late[1]} of B; the PC was late, or the delay not known yet.` : ''),

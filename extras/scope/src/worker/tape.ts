@@ -1,12 +1,14 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
-import { CharacterSize, FileHeadMax } from '../border';
+import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../border';
+import type { Status } from '../line';
 import type { Bookmark, Comparison, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { bytesOf, directory, unpack, type Entry } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
 const mostCharacters = 64;
+const recordsSize = Math.floor(TransferSize / RecordReader.size) * RecordReader.size; // bytes that WebAssembly takes at once
 
 export class Tape {
   settings: Uint8Array = new Uint8Array();
@@ -140,14 +142,20 @@ export class Tape {
     return low;
   }
 
-  // Takes the next part of the flight. Returns true once that was the last one.
-  flightPart(): boolean {
-    return this.native.calls.flightPart() !== 0;
+  beginFlight(): void {
+    this.native.calls.beginFlight();
   }
 
-  // Returns undefined of a recording without frames. After the last part.
-  flight(): Flight | undefined {
-    const text = this.native.words(this.native.calls.flightNumbers());
+  // Takes the next records of the whole recording's decoder.
+  flightRecords(records: Uint8Array): void {
+    for (let at = 0; at < records.length; at += recordsSize) {
+      this.native.transfer(records.subarray(at, at + recordsSize), (size) => this.native.calls.flightRecords(size));
+    }
+  }
+
+  // Returns undefined of a recording without frames. After the last records; `status`: of their decoder.
+  flight({ frames, lostFrames, failsafeFrames, discardedBytes, characterErrors }: Status): Flight | undefined {
+    const text = this.native.words(this.native.calls.flightNumbers(frames, lostFrames, failsafeFrames, discardedBytes, characterErrors));
     return text === '' ? undefined : JSON.parse(text);
   }
 

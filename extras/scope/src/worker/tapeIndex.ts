@@ -1,11 +1,12 @@
-// A recording's places: the decoder's states, some seconds apart, the line's faults, and its values' envelope. It is decoded once, whenever there is time.
+// A recording's places: the decoder's states, some seconds apart, the line's faults, the flight's figures, and its values' envelope. It is decoded once, whenever there is time.
 
 import { keptSeconds } from '../history';
-import type { Envelope, FaultMap } from '../messages';
+import type { Answer } from '../messages';
 import { Throttle } from '../throttle';
 import type { Decoder, Image } from './decoder';
 import { EnvelopeIndex } from './envelope';
 import { FaultIndex } from './faultIndex';
+import type { Tape } from './tape';
 
 const progressMs = 100;
 const spacing = 25000; // characters from one image to the next: ten seconds of S.Bus, which are decoded in 6 ms
@@ -20,13 +21,13 @@ export class TapeIndex {
 
   constructor(
     private readonly decoder: Decoder,
-    size: number,
+    private readonly tape: Tape,
     readonly endUs: number,
-    private readonly tell: (map: FaultMap) => void,
-    private readonly tellEnvelope: (envelope: Envelope) => void,
+    private readonly tell: (message: Answer) => void,
   ) {
     this.images = [decoder.image()];
-    this.apart = Math.max(spacing, size / mostImages);
+    this.apart = Math.max(spacing, tape.size / mostImages);
+    tape.beginFlight();
     this.envelope = endUs > 1e6 * keptSeconds ? new EnvelopeIndex(endUs) : undefined;
     this.faults = new FaultIndex(endUs, decoder.calls.gapOf);
   }
@@ -41,12 +42,14 @@ export class TapeIndex {
 
   // Decodes up to the time `hurry`, in ms, or to the end, and tells of the faults.
   work(hurry: number): void {
-    const { decoder, faults, envelope } = this;
-    const take = (records: Uint8Array): void =>
+    const { decoder, faults, envelope, tape } = this;
+    const take = (records: Uint8Array): void => {
+      tape.flightRecords(records);
       decoder.reader.each(records, (record) => {
         faults.take(record);
         envelope?.take(record);
       });
+    };
     while (!this.isComplete && performance.now() < hurry) {
       decoder.advance(Math.min(decoder.us + 1000000, this.endUs), take);
       if (decoder.next - (this.images.at(-1) as Image).next >= this.apart) {
@@ -56,12 +59,16 @@ export class TapeIndex {
     if (this.isComplete) {
       faults.finish(this.endUs);
       if (envelope) {
-        this.tellEnvelope(envelope.finish());
+        this.tell({ kind: 'envelope', envelope: envelope.finish() });
         this.envelope = undefined;
       }
     }
     if (this.isComplete || this.telling.due) {
-      this.tell({ us: this.us, isComplete: this.isComplete, bins: faults.bins, damaged: faults.damaged, counts: faults.counts() });
+      this.tell({ kind: 'faults', map: { us: this.us, isComplete: this.isComplete, bins: faults.bins, damaged: faults.damaged, counts: faults.counts() } });
+    }
+    const flight = this.isComplete ? tape.flight(decoder.reader.status(this.endUs)) : undefined;
+    if (flight) {
+      this.tell({ kind: 'flight', flight });
     }
   }
 

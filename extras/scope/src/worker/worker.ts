@@ -50,7 +50,6 @@ class Playing {
   private player: Decoder;
   private index: TapeIndex;
   private past?: Past;
-  private knowsFlight = false;
   private search?: Search;
   private comparing?: Comparing;
   private previewed = 0; // the newest seek whose place was shown before it was decoded
@@ -133,8 +132,6 @@ class Playing {
         this.workAtPast(this.past);
       } else if (!this.index.isComplete) {
         this.index.work(sliceEnd());
-      } else if (!this.knowsFlight) {
-        this.workAtFlight();
       } else if (this.comparing) {
         this.workAtComparison(this.comparing);
       } else {
@@ -146,7 +143,7 @@ class Playing {
 
   private newIndex(): TapeIndex {
     const { module, tape, endUs } = this;
-    return new TapeIndex(new Decoder(module, tape), tape.size, endUs, (map) => answer({ kind: 'faults', map }), (envelope) => answer({ kind: 'envelope', envelope }));
+    return new TapeIndex(new Decoder(module, tape), tape, endUs, answer);
   }
 
   // Returns a decoder that is at that time, or a little before it.
@@ -161,15 +158,6 @@ class Playing {
     if (samples) {
       this.past = undefined;
       answer({ kind: 'past', id: past.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
-    }
-  }
-
-  // What seeks need comes first: the index.
-  private workAtFlight(): void {
-    this.knowsFlight = this.tape.flightPart();
-    const flight = this.knowsFlight ? this.tape.flight() : undefined;
-    if (flight) {
-      answer({ kind: 'flight', flight });
     }
   }
 
