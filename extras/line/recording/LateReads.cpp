@@ -15,7 +15,7 @@ constexpr unsigned PartInaccurate = 16;  // of the pace
 }  // namespace
 
 void LateReads::put(const Character &character, std::deque<Character> &characters) {
-  if (_lastUs > 0 && character.endUs > _lastUs + SilenceUs) {
+  if (!_isHolding && _lastUs > 0 && character.endUs > _lastUs + SilenceUs) {
     finish(characters);
     _silentUs = character.endUs - _lastUs;
     _isHolding = mayBeLate(character);
