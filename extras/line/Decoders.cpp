@@ -99,7 +99,7 @@ const std::vector<Piece> &Decoders::decide(bool isOver) {
   const uint32_t lead = std::min(LeadMost, std::max(votes16, votes24) - std::min(votes16, votes24));
   votes16 = votes16 > votes24 ? lead : 0;
   votes24 = votes16 > 0 ? 0 : lead;
-  const bool isOther = _isDecided && leads24() != _is24;
+  const bool isOther = _isDecided && leads24() != _is24 && counters().frames > 0;
   const sbus::Counters all = isOther ? counters() : _before;
   _is24 = leads24();
   if (isOther) {

@@ -1,7 +1,7 @@
 // A line that changes its variant: a receiver is set to another mode, or swapped.
 #include <doctest/doctest.h>
 
-#include <array>
+#include <string>
 
 #include "impairment/ImpairedLine.h"
 #include "impairment/Settings.h"
@@ -57,5 +57,16 @@ TEST_CASE("a line that changes its variant has it a second later, and is fine, h
         CHECK(observer.counters().frames <= counters.frames + 70);
       }
     }
+  }
+}
+
+TEST_CASE("of a line of any variant the first frame counts, too") {
+  for (const Variant &variant : Variants) {
+    CAPTURE(std::string(variant.name));
+    line::Random random(seedOfDay());
+    line::Observer observer;
+    play(observer, variant, 1, 20000, 0, random);
+    observer.finish();
+    CHECK(observer.counters().frames == 1000000 / PeriodUs);
   }
 }

@@ -10,13 +10,12 @@ namespace {
 
 constexpr uint64_t StallMostUs = 4000000;  // system and browser hold 8 kB, which are 3 s of S.Bus
 constexpr uint64_t MeasuredUs = 500000;
-constexpr uint64_t PacketUs = 30000;    // an adapter's packet and a period come at once
 constexpr unsigned PartInaccurate = 16;  // of the pace
 
 }  // namespace
 
 void LateReads::put(const Character &character, std::deque<Character> &characters) {
-  if (_lastUs > 0 && character.endUs > _lastUs + SilenceUs) {
+  if (!_isHolding && _lastUs > 0 && character.endUs > _lastUs + SilenceUs) {
     finish(characters);
     _silentUs = character.endUs - _lastUs;
     _isHolding = mayBeLate(character);
@@ -53,7 +52,7 @@ bool LateReads::mayBeLate(const Character &character) const {
 }
 
 bool LateReads::accountsFor(uint64_t us) const {
-  return _held.size() * _paceUs / _paceCount + PacketUs + us / PartInaccurate >= us;
+  return _held.size() * _paceUs / _paceCount + us / PartInaccurate >= us;
 }
 
 // Measures the pace over half a second without a silence or a late read.
