@@ -108,6 +108,15 @@ TEST_CASE("one of 65536 versions is accepted, even if the check value is right; 
   }
 }
 
+TEST_CASE("a stored calibration with any bit changed is not good") {
+  for (size_t bit = 0; bit < 8 * Size; bit++) {
+    CAPTURE(bit);
+    Stored bytes = bytesOf(known());
+    bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ 1 << bit % 8);
+    CHECK(stateOf(bytes) == (bit < 16 ? StoredState::OtherVersion : StoredState::Damaged));
+  }
+}
+
 TEST_CASE("isPossible() applies each rule, on either side of each limit, for any channel") {
   const struct {
     const char *rule;

@@ -184,6 +184,16 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a frame as old as the timeout is stale, and not a microsecond younger") {
+  sbus::Link link;
+  link.frame(0);
+  for (const uint16_t ms : {uint16_t{1}, uint16_t{100}, uint16_t{65535}}) {
+    link.setTimeout(ms);
+    CHECK(link.state(ms * 1000u) == LinkState::Stale);
+    CHECK(link.state(ms * 1000u - 1) == LinkState::Ok);
+  }
+}
+
 // On a core without SleepClock nothing else notices the wrap.
 TEST_CASE("a Link that is asked once an hour saturates when micros() wraps, and stays so until the next frame") {
   for (const uint64_t asked : {Second, 20 * 60 * Second, Hour}) {
