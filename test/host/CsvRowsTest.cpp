@@ -32,6 +32,21 @@ TEST_CASE("rows are read: values and their text") {
   CHECK(rows.row()[1].text == "+3");
 }
 
+TEST_CASE("numbers may have decimal commas, with semicolons or tabs between them") {
+  for (const std::string text : {"0,5;-1,25;3\n", "0,5\t-1,25\t3\n", "0.5;-1.25;3\n", "0.5,\t-1.25,\t3\n"}) {
+    CAPTURE(text);
+    CsvRows rows;
+    for (const char c : text) {
+      rows.put(static_cast<uint8_t>(c));
+    }
+    REQUIRE(rows.row().size() == 3);
+    CHECK(rows.isRow());
+    CHECK(rows.row()[0].value == 0.5);
+    CHECK(rows.row()[1].value == -1.25);
+    CHECK(rows.row()[2].value == 3);
+  }
+}
+
 TEST_CASE("a sketch's rows are recognised, and other text is not") {
   const struct {
     const char *text;

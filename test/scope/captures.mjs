@@ -124,8 +124,18 @@ export default async function () {
   const lines = (form) => `${frames.map(form).join('\n')}\n`;
   const times = frames.map((bytes, i) => `${9000 * i - 12345} ${words(bytes)}`).join('\n');
   const levels = edges(times.replace(/^(-?\d+)/gm, (us) => String(Number(us) + 20000)), 0);
+  const early = `Time [s],S\n${levels.map(([us, high]) => `${((us - 20000) / 1e6).toFixed(6)},${high}\n`).join('')}`;
+  const channels = Array.from({ length: 16 }, (_, i) => i);
+  const table = `time,${channels.map((i) => `CH${i + 1}`)}\n${lines((_, row) => `${(0.009 * row).toFixed(6)},${channels.map((i) => 200 + 40 * i + row)}`)}`;
+  const german = (text) => text.replaceAll(',', ';').replaceAll('.', ',');
+  const tabbed = (text) => text.replaceAll(',', '\t');
   for (const [what, name, content] of [
-    ['a capture that begins before its trigger', 'wire.csv', `Time [s],S\n${levels.map(([us, high]) => `${((us - 20000) / 1e6).toFixed(6)},${high}\n`).join('')}`],
+    ['a capture that begins before its trigger', 'wire.csv', early],
+    ['a capture in German', 'wire-de.csv', german(early)],
+    ['a capture with tabs and decimal commas', 'wire-tabs.csv', german(early).replaceAll(';', '\t')],
+    ['rows with tabs', 'rows-tabs.csv', tabbed(table)],
+    ['rows in German', 'rows-de.csv', german(table)],
+    ['rows with tabs and decimal commas', 'rows-de-tabs.csv', german(table).replaceAll(';', '\t')],
     ['a recording of one', 'wire.txt', `# 100000 baud, 8E2, inverted\n${times}\n`],
     ['a list of Python', 'list.txt', lines((bytes) => `[${bytes.join(', ')}]`)],
     ['a dump', 'dump.txt', frames.flat().map((_, i, all) => (i % 16 ? '' : `${i.toString(16).padStart(8, '0')}  ${words(all.slice(i, i + 16))}\n`)).join('')],

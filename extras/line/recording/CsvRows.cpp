@@ -127,6 +127,12 @@ void CsvRows::split() {
 }
 
 void CsvRows::endLine() {
+  // Where numbers have decimal commas, a spreadsheet separates them by semicolons or tabs.
+  const auto has = [this](const char *text) { return _line.find(text) != std::string::npos; };
+  if (has(";") || (has("\t") && !has(",\t"))) {
+    std::replace(_line.begin(), _line.end(), ',', '.');
+    std::replace(_line.begin(), _line.end(), ';', ',');
+  }
   split();
   _isRow = _text && std::all_of(_row.begin(), _row.end(), [](const CsvField &field) { return field.isNumber; });
   _isText = _text && _line.size() >= LeastText;

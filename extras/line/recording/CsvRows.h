@@ -1,5 +1,5 @@
 // The rows of numbers that a sketch prints for serial plotters: 1048,992,172,992,0,1 or 1048 992 or
-// throttle:172,roll:992, with commas, tabs or blanks. A row ends with \n, \r\n, or \r as in the paper.
+// throttle:172,roll:992, with commas, semicolons, tabs or blanks. A row ends with \n, \r\n, or \r as in the paper.
 #pragma once
 
 #include <cstddef>
