@@ -120,7 +120,7 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'Text comes, but no rows of numbers.',
-      remedy: 'Upload a sketch that prints 2 to 32 numbers per line, separated by commas, tabs or blanks: DecodeSBus, AllChannels or Channels24.',
+      remedy: 'Upload a sketch that prints 2 to 32 numbers per line, separated by commas, semicolons, tabs or blanks: DecodeSBus, AllChannels or Channels24.',
       severity: 'warning',
     };
   }

@@ -2,7 +2,7 @@
 
 import { clock } from '../clock';
 import { type Bookmarks, commentsOf, longestName, withoutList } from '../bookmarks';
-import { byId, download, make, setText } from '../dom';
+import { byId, download, make, onKeys, setText } from '../dom';
 import type { Bookmark, Problem } from '../messages';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
@@ -22,9 +22,7 @@ export class BookmarksView {
     private readonly failed: (problem: Problem) => void,
   ) {
     byId('bookmark').addEventListener('click', () => this.add());
-    for (const root of [byId('plot'), byId('timeline')]) {
-      root.addEventListener('keydown', (event) => this.key(event));
-    }
+    onKeys((key) => key === 'b' && this.add());
     this.save.addEventListener('click', () => void this.saveFile());
   }
 
@@ -48,17 +46,10 @@ export class BookmarksView {
     }
   }
 
-  private add(): void {
+  private add(): true {
     const { us, name } = this.bookmarks.add(this.now());
     setText(byId('bookmark-announcement'), `${name} at ${clock(us)}`);
-  }
-
-  private key(event: KeyboardEvent): void {
-    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !(event.target instanceof HTMLSelectElement);
-    if (event.key.toLowerCase() === 'b' && isPlain) {
-      event.preventDefault();
-      this.add();
-    }
+    return true;
   }
 
   private row(bookmark: Bookmark): HTMLElement {
