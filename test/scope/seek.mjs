@@ -77,40 +77,42 @@ export default async function () {
     }
   }, { patience: 200000 });
 
-  await check(`at ${places} places that are not decoded yet, seed ${seed}, the first picture has the frames and the state of the one that follows it`, async (page) => {
-    await page.evaluate(() => {
-      fake.jumps = [];
-      globalThis.Worker = class extends Worker {
-        constructor(...of) {
-          super(...of);
-          fake.worker = this;
-          this.addEventListener('message', ({ data }) => data.jumped && fake.jumps.push(data));
-        }
-      };
-    });
-    const few = path.join(build, 'few.txt');
-    // A header 2F makes 32 channels of 16, from there on. The last half minute has 5 frames a second, all lost: the receiver is in failsafe.
-    const slow = Array.from({ length: slowFrames }, (_, i) => recorded(1000 * (lengthMs + 9 + 200 * i), frame([1000], { flags: 4 }))).join('');
-    writeFileSync(few, text.replaceAll(' 2f ', ' 2e ') + slow);
-    await playPaused(page, few);
-    let some = 0;
-    for (let i = 0; i < places; i++) {
-      const ms = i === 0 ? lengthMs + 200 * slowFrames - 300 : 60000 + Math.floor(next() * (lengthMs - 60000));
+  // A header 2F makes 32 channels of 16, from there on. The last half minute has 5 frames a second, all lost: the receiver is in failsafe.
+  const slow = Array.from({ length: slowFrames }, (_, i) => recorded(1000 * (lengthMs + 9 + 200 * i), frame([1000], { flags: 4 }))).join('');
+  // Of a line that changes, a place cannot be known before the line is decoded up to there.
+  const changed = Array.from({ length: lengthMs / 10 }, (_, i) => recorded(10000 * (i + 1), i < 4000 ? frame([1000]) : [0x0f, ...Array(35).fill(0)])).join('');
+  for (const [what, few, least] of [['a line', text.replaceAll(' 2f ', ' 2e ') + slow, places / 2], ['a line that changes from 16 to 24 channels', changed, -1]]) {
+    await check(`at ${places} places of ${what} that are not decoded yet, seed ${seed}, the first picture has the frames and the state of the one that follows it`, async (page) => {
       await page.evaluate(() => {
         fake.jumps = [];
-        fake.worker.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
+        globalThis.Worker = class extends Worker {
+          constructor(...of) {
+            super(...of);
+            fake.worker = this;
+            this.addEventListener('message', ({ data }) => data.jumped && fake.jumps.push(data));
+          }
+        };
       });
-      await seek(page, ms);
-      await until('it is not decoded', () => page.evaluate(() => fake.jumps.some(({ isPreview }) => !isPreview)));
-      const [first, whole] = await page.evaluate((names) => [true, false].map((isFirst) => {
-        const { us, status, telemetry, records: [, ...since] } = fake.jumps.find(({ isPreview }) => Boolean(isPreview) === isFirst) ?? { records: [] };
-        return status && { us, telemetry, ...Object.fromEntries(names.map((name) => [name, status[name]])), bytes: since.map(String).join() };
-      }), ofNow);
-      assert.deepEqual(first ?? whole, whole, `at ${ms} ms`);
-      some += Number(first !== undefined); // without a frame within twenty seconds there is none
-    }
-    assert.ok(some > places / 2, `${some} of ${places}`);
-  }, { patience: 200000 });
+      await playPaused(page, 'few.txt', few);
+      let some = 0;
+      for (let i = 0; i < places; i++) {
+        const ms = i === 0 ? lengthMs + 200 * slowFrames - 300 : 60000 + Math.floor(next() * (lengthMs - 60000));
+        await page.evaluate(() => {
+          fake.jumps = [];
+          fake.worker.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
+        });
+        await seek(page, ms);
+        await until('it is not decoded', () => page.evaluate(() => fake.jumps.some(({ isPreview }) => !isPreview)));
+        const [first, whole] = await page.evaluate((names) => [true, false].map((isFirst) => {
+          const { us, status, telemetry, records: [, ...since] } = fake.jumps.find(({ isPreview }) => Boolean(isPreview) === isFirst) ?? { records: [] };
+          return status && { us, telemetry, ...Object.fromEntries(names.map((name) => [name, status[name]])), bytes: since.map(String).join() };
+        }), ofNow);
+        assert.deepEqual(first ?? whole, whole, `at ${ms} ms`);
+        some += Number(first !== undefined); // without a frame within twenty seconds there is none
+      }
+      assert.ok(some > least, `${some} of ${places}`);
+    }, { patience: 200000 });
+  }
 
   // Drops a file onto the page.
   const dropLines = (page, name, lines) => page.evaluate(([called, parts]) => {

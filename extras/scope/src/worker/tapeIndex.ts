@@ -1,6 +1,7 @@
 // A recording's places: the decoder's states, some seconds apart, the line's faults, and its values' envelope. It is decoded once, whenever there is time.
 
-import { keptSeconds } from '../history';
+import { isSample, keptSeconds } from '../history';
+import type { Kind } from '../line';
 import type { Envelope, FaultMap } from '../messages';
 import { Throttle } from '../throttle';
 import type { Decoder, Image } from './decoder';
@@ -14,6 +15,7 @@ const mostImages = 1024; // of 80 kB each
 export class TapeIndex {
   private readonly images: Image[];
   readonly faults: FaultIndex;
+  kind?: Kind; // of the newest frame or row
   private envelope?: EnvelopeIndex; // of a recording that is longer than what the page keeps
   private readonly apart: number;
   private readonly telling = new Throttle(progressMs);
@@ -44,6 +46,7 @@ export class TapeIndex {
     const { decoder, faults, envelope } = this;
     const take = (records: Uint8Array): void =>
       decoder.reader.each(records, (record) => {
+        this.kind = isSample(record) ? record.kind : this.kind;
         faults.take(record);
         envelope?.take(record);
       });

@@ -1,7 +1,7 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
 import type { RecordReader } from '../border';
-import { History } from '../history';
+import { History, isSample } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
 import { type Answer, Fault, type Found, type Live, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
@@ -227,14 +227,20 @@ class Playing {
   }
 
   // Shows a place that is not decoded yet, by a decoder that begins a little before it. Only with a frame: else it would say that
-  // there never was one, or misread the columns of rows: their names come first.
+  // there never was one, or misread the columns of rows: their names come first. And only with frames as the line had before: a line
+  // that changes from 16 to 24 channels is decoded as before until most of its frames have 24.
   private preview(id: number, us: number): void {
-    const { module, tape } = this;
+    const { module, tape, index } = this;
     this.previewed = id;
+    if (index.us === 0) {
+      index.work(sliceEnd());
+    }
     const decoder = new Decoder(module, tape, Math.min(tape.find(us - shownUs - settledUs), Math.max(tape.find(us) - settled, 0)));
     const records = recordsAt(decoder, us);
     const picture = pictureOf(decoder, id, true, records);
-    if (picture.status.frames > 0) {
+    let { kind } = index;
+    records.forEach((part) => decoder.reader.each(part, (record) => (kind = isSample(record) ? record.kind : kind)));
+    if (picture.status.frames > 0 && kind === (index.kind ?? kind)) {
       answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
     }
   }
