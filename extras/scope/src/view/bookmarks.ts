@@ -7,6 +7,9 @@ import type { Bookmark, Problem } from '../messages';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 
+const listed = 100; // bookmarks: a list out of sight costs a picture as much as a row out of sight
+const rowRem = 4.1; // height
+
 export class BookmarksView {
   private readonly list = byId('bookmarks-list');
   private readonly save = byId('bookmarks-save');
@@ -40,9 +43,13 @@ export class BookmarksView {
       this.shown = all;
       byId('bookmarks').hidden = all.length === 0 && !this.source?.line.file.bookmarks?.length;
       this.rows = new Map(all.map((bookmark) => [bookmark, this.rows.get(bookmark) ?? this.row(bookmark)]));
-      const rows = new Set<Element>(this.rows.values()); // those that stay keep the focus
-      [...this.list.children].filter((row) => !rows.has(row)).forEach((row) => row.remove());
-      [...rows].forEach((row, i) => this.list.children[i] !== row && this.list.insertBefore(row, this.list.children[i] ?? null));
+      const rows = [...this.rows.values()];
+      const focused = document.activeElement as HTMLElement | null;
+      const lists = Array.from({ length: Math.ceil(rows.length / listed) }, (_, i) => rows.slice(i * listed, (i + 1) * listed));
+      this.list.replaceChildren(...lists.map((part) => make('ol', { style: `contain-intrinsic-height: ${rowRem * part.length}rem` }, ...part)));
+      if (this.list.contains(focused)) {
+        focused?.focus();
+      }
     }
   }
 

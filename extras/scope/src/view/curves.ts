@@ -327,9 +327,14 @@ export class Curves {
       const [from, to] = this.shownUs;
       const gap = 4 * pixel;
       const freeX = new Array(nameRows).fill(bbox.left); // names do not lie on each other
+      let lastX = NaN;
       for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
         const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-        const { width } = ctx.measureText(name);
+        if (x === lastX) {
+          continue;
+        }
+        lastX = x;
+        const width = Math.min(...freeX) > x + gap ? Infinity : ctx.measureText(name).width; // no row is free
         const textX = x + gap + width > bbox.left + bbox.width ? x - gap - width : x + gap; // not over the right edge
         ctx.beginPath();
         ctx.moveTo(x, bbox.top);

@@ -181,7 +181,8 @@ export class TriggerView {
   // Returns the condition, or says what is wrong with it.
   private condition(): Uint8Array | undefined {
     const newest = this.newest();
-    const { steps, error, from, to } = this.core.condition(this.input.value, newest && newest.kind === Kind.Row);
+    const isBoard = newest ? newest.kind === Kind.Row : this.source?.line.flight ? false : this.source?.isBoard;
+    const { steps, error, from, to } = this.core.condition(this.input.value, isBoard);
     if (error === '') {
       this.input.removeAttribute('aria-invalid');
       keep(key, this.input.value);
