@@ -13,11 +13,9 @@ import type { Room, Shown } from './Room';
 const patienceMs = 1500; // until a frame is missed; in a recording, up to its end
 
 // Follows the title: what the source is doing.
-const asides: Record<State, string> = {
-  closed: '',
+const asides: Partial<Record<State, string>> = {
   choosing: ' (until the next one is ready)',
   opening: ' (opening)',
-  open: '',
   reopening: ' (opening again)',
   failed: ' (not open)',
 };
@@ -43,7 +41,7 @@ export function sourceRoom(choice: Choice<Source>): Room {
 
   function draw({ source, status: { state, rows }, newest }: Shown): void {
     const doing = choice.doing || source.progress;
-    setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + (doing ? ` (${doing})` : asides[choice.state]));
+    setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + (doing ? ` (${doing})` : (asides[choice.state] ?? '')));
     const isLate = source instanceof RecordingSource ? source.atEnd : performance.now() - enteredMs > patienceMs;
     const never = state === LinkState.NeverSeen && newest === undefined && rows === 0 && isLate;
     const { kind, flags } = newest ?? { kind: Kind.Frame, flags: 0 };

@@ -3,6 +3,7 @@
 import { isSample, keptSeconds } from '../history';
 import type { Kind } from '../line';
 import type { Envelope, FaultMap } from '../messages';
+import { firstFrom } from '../numbers';
 import { Throttle } from '../throttle';
 import type { Decoder, Image } from './decoder';
 import { EnvelopeIndex } from './envelope';
@@ -70,10 +71,6 @@ export class TapeIndex {
 
   // Returns the newest image that is not later.
   before(us: number): Image {
-    let newest = 0;
-    for (let i = 0; i < this.images.length && this.images[i].us <= us; i++) {
-      newest = i;
-    }
-    return this.images[newest];
+    return this.images[Math.max(firstFrom(0, this.images.length, (image) => this.images[image].us <= us) - 1, 0)];
   }
 }
