@@ -2,7 +2,7 @@
 
 import { Channels } from '../channels';
 import type { Core } from '../core';
-import { Doctor } from '../doctor';
+import { verdictOf } from '../doctor';
 import { byId } from '../dom';
 import { History, isSample } from '../history';
 import { Kind, LinkState, type Sink, type Stretch } from '../line';
@@ -31,7 +31,6 @@ const isTrusted = ({ status: { state } }: Shown): boolean => state === LinkState
 // `visit`: goes to a time of the line, in us. `seeking`: called before another place of a recording is sought.
 export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number) => void, seeking: () => void) {
   let newest: Stretch | undefined; // frame or row
-  let doctor: Doctor;
   const history = new History();
   const channels = new Channels();
   const units = new Units(byId<HTMLSelectElement>('unit'));
@@ -50,7 +49,7 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
   byId('reset-marks').addEventListener('click', () => choice.current?.line.resetMarks());
 
   const views: Room['views'] = {
-    'The view of the verdict': ({ source, status }) => verdict.draw(doctor.verdict(status, newest), source.line.live?.note ?? ''),
+    'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.live?.note ?? ''),
     'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.isPreview),
     'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
@@ -124,7 +123,6 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
       curves.forget();
     },
     enter(source: Source): void {
-      doctor = new Doctor(core, source);
       trigger.enter(source);
       telemetry.enter();
       if (sensors.any) {
