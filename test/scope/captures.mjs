@@ -57,10 +57,10 @@ const rows = (csv) => csv.trim().split('\n').slice(1);
 const choose = (page, name, content) => page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
 
 export default async function () {
-  for (const [recording, form, idle, signal] of [
-    ['paper', 'vcd', 0, 'RX, 100000 baud, 8E2, inverted'],
-    ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted'],
-    ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted'],
+  for (const [recording, form, idle, signal, width] of [
+    ['paper', 'vcd', 0, 'RX, 100000 baud, 8E2, inverted', '0.5 s'],
+    ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted', '1 s'],
+    ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted', '0.5 s'],
   ]) {
     await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
@@ -71,6 +71,7 @@ export default async function () {
       for (const [name, content] of [[`wire.${form}`, capture], [`wire.${form}.gz`, gzipSync(capture)]]) {
         await playToEnd(page, name, content);
         assert.equal(await page.textContent('#title'), `Capture ${name}, signal ${signal}`);
+        assert.equal(await page.textContent('#window'), width); // all of it
         assert.deepEqual(rows((await downloaded(page, '#csv')).text), wanted);
       }
     });

@@ -118,11 +118,9 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
     get newest() {
       return newest;
     },
-    leave(): void {
-      forget();
-      curves.forget();
-    },
+    leave: forget,
     enter(source: Source): void {
+      curves.enter(source.line.file.carrier ? source.line.file.lengthUs : 0); // a capture of an oscilloscope may be 20 ms
       trigger.enter(source);
       telemetry.enter();
       if (sensors.any) {

@@ -143,10 +143,11 @@ export class Curves {
     this.move((view) => view.step(steps));
   }
 
-  // Removes the cursors and ends a pause: another source follows.
-  forget(): void {
+  // Another line: removes the cursors and ends a pause. `lengthUs`: see Viewport.
+  enter(lengthUs: number): void {
     this.cursors.clear();
     this.pause(false);
+    this.look((view) => view.enter(lengthUs / 1e6));
   }
 
   // Redraws what depends on the theme.
