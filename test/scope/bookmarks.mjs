@@ -178,6 +178,8 @@ export default async function () {
     const marks = Array.from({ length: 10000 }, (_, i) => `# bookmark ${i < 9990 ? 9e8 + i : 300 * i} mark ${i}\n`);
     await play(page, 'many.txt', `${readFileSync(path.join(build, 'ramp.txt'), 'utf8')}${marks.join('')}`);
     await until('they are listed', async () => (await page.locator('#bookmarks-list li').count()) === 10000);
+    assert.equal(await page.locator('#bookmarks-list > *').count(), 100); // lists: those out of sight are not laid out
+    assert.ok((await page.getAttribute('#strip .bookmark', 'd')).split('M').length < 1100, 'the strip has more marks than pixels');
     await page.evaluate(() => {
       const measure = CanvasRenderingContext2D.prototype.measureText;
       fake.measured = 0;

@@ -60,10 +60,10 @@ const rows = (csv) => csv.trim().split('\n').slice(1);
 const choose = (page, name, content) => page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
 
 export default async function () {
-  for (const [recording, form, idle, signal] of [
-    ['paper', 'vcd', 0, 'RX, 100000 baud, 8E2, inverted'],
-    ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted'],
-    ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted'],
+  for (const [recording, form, idle, signal, width] of [
+    ['paper', 'vcd', 0, 'RX, 100000 baud, 8E2, inverted', '0.5 s'],
+    ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted', '1 s'],
+    ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted', '0.5 s'],
   ]) {
     await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
@@ -74,6 +74,7 @@ export default async function () {
       for (const [name, content] of [[`wire.${form}`, capture], [`wire.${form}.gz`, gzipSync(capture)]]) {
         await playToEnd(page, name, content);
         assert.equal(await page.textContent('#title'), `Capture ${name}, signal ${signal}`);
+        assert.equal(await page.textContent('#window'), width); // all of it
         assert.deepEqual(rows((await downloaded(page, '#csv')).text), wanted);
       }
     });
@@ -127,8 +128,18 @@ export default async function () {
   const lines = (form) => `${frames.map(form).join('\n')}\n`;
   const times = frames.map((bytes, i) => `${9000 * i - 12345} ${words(bytes)}`).join('\n');
   const levels = edges(times.replace(/^(-?\d+)/gm, (us) => String(Number(us) + 20000)), 0);
+  const early = `Time [s],S\n${levels.map(([us, high]) => `${((us - 20000) / 1e6).toFixed(6)},${high}\n`).join('')}`;
+  const channels = Array.from({ length: 16 }, (_, i) => i);
+  const table = `time,${channels.map((i) => `CH${i + 1}`)}\n${lines((_, row) => `${(0.009 * row).toFixed(6)},${channels.map((i) => 200 + 40 * i + row)}`)}`;
+  const german = (text) => text.replaceAll(',', ';').replaceAll('.', ',');
+  const tabbed = (text) => text.replaceAll(',', '\t');
   for (const [what, name, content] of [
-    ['a capture that begins before its trigger', 'wire.csv', `Time [s],S\n${levels.map(([us, high]) => `${((us - 20000) / 1e6).toFixed(6)},${high}\n`).join('')}`],
+    ['a capture that begins before its trigger', 'wire.csv', early],
+    ['a capture in German', 'wire-de.csv', german(early)],
+    ['a capture with tabs and decimal commas', 'wire-tabs.csv', german(early).replaceAll(';', '\t')],
+    ['rows with tabs', 'rows-tabs.csv', tabbed(table)],
+    ['rows in German', 'rows-de.csv', german(table)],
+    ['rows with tabs and decimal commas', 'rows-de-tabs.csv', german(table).replaceAll(';', '\t')],
     ['a recording of one', 'wire.txt', `# 100000 baud, 8E2, inverted\n${times}\n`],
     ['a list of Python', 'list.txt', lines((bytes) => `[${bytes.join(', ')}]`)],
     ['lists in a list', 'lists.txt', `${JSON.stringify(frames)}\n`],

@@ -126,6 +126,12 @@ export default async function () {
     assert.ok(of.get(20) > 0.25);
   });
 
+  await check('frames that are missing without a flag have a name beside the strip, which shows them', async (page) => {
+    await play(page, 'silent.txt', Array.from({ length: 300 }, (_, i) => recorded(10000 * (i + 1) + (i < 150 ? 0 : 500000), frame([1000]))).join(''));
+    await known(page);
+    assert.deepEqual(await textsOf(page, '#fault-counts li:not([hidden])'), ['whole recording: 1 fault', 'missing frames', 'no frames: 1 ×']);
+  });
+
   await check('the worst seconds besides those of failsafe and silence are ranked, and a click goes there and stands still', async (page) => {
     await play(page, file);
     await known(page);

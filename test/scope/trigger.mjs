@@ -66,6 +66,17 @@ export default async function () {
     }
   });
 
+  await check('before the first frame of a recording a condition that S.Bus cannot meet is said, too', async (page) => {
+    await playPaused(page, 'trigger.txt', story());
+    await page.waitForSelector('#report', { state: 'visible' });
+    await seek(page, 0);
+    await reads(page, '[data-counter="frames"]', '0');
+    await page.click('#trigger-open');
+    await set(page, 'ch5 > 2047');
+    await page.click('#trigger-arm');
+    await reads(page, '#trigger-text', /^Character 7: a value, 0 to 2047/);
+  });
+
   await check('in a recording the trigger goes from event to event, each at the chosen place, with its bytes, and says where they end', async (page) => {
     const file = path.join(build, 'trigger.txt');
     writeFileSync(file, story());

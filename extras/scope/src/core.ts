@@ -44,8 +44,6 @@ export class Core {
     return this.memory.stretchesIn(records);
   }
 
-  // The verdict.
-
   findingText(finding: Finding): string {
     return this.memory.findingText(finding);
   }
@@ -62,8 +60,6 @@ export class Core {
   get sensors(): SensorType[] {
     return this.memory.words(this.native.sensorNames()).trim().split('\n').map((line) => line.split(' ')).map(([name, slots]) => ({ name, slots: Number(slots) }));
   }
-
-  // Values.
 
   setScale(scale: Scale): void {
     this.native.setScale(scale);

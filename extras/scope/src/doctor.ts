@@ -26,85 +26,78 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.LongPeriod]: 'warning',
 };
 
-export class Doctor {
-  constructor(
-    private readonly core: Core,
-    private readonly source: Source,
-  ) {}
+// Of a place with a fault it never says that all is well.
+export function verdictOf(core: Core, source: Source, status: Status, newest?: Stretch): Verdict {
+  const line = ofLine(core, source, status, newest);
+  const { found } = source;
+  return found && line.severity === 'good'
+    ? { text: `A fault here: ${faultNames[found.fault]}.`, remedy: `The line around it: ${line.text}`, severity: found.fault === Fault.Late ? 'note' : 'warning' }
+    : line;
+}
 
-  // Of a place with a fault it never says that all is well.
-  verdict(status: Status, newest?: Stretch): Verdict {
-    const line = this.ofLine(status, newest);
-    const { found } = this.source;
-    return found && line.severity === 'good'
-      ? { text: `A fault here: ${faultNames[found.fault]}.`, remedy: `The line around it: ${line.text}`, severity: found.fault === Fault.Late ? 'note' : 'warning' }
-      : line;
+function ofLine(core: Core, source: Source, status: Status, newest?: Stretch): Verdict {
+  const { live, failure, file } = source.line;
+  const problem = failure ?? live?.problem;
+  if (problem) {
+    return { ...problem, severity: 'alarm' };
   }
-
-  private ofLine(status: Status, newest?: Stretch): Verdict {
-    const { live, failure, file } = this.source.line;
-    const problem = failure ?? live?.problem;
-    if (problem) {
-      return { ...problem, severity: 'alarm' };
-    }
-    if (file.damage?.length) {
-      return { text: file.damage[0], remedy: file.damage[1], severity: 'alarm' };
-    }
-    if (status.rows > 0 || (status.otherLines > 0 && status.frames === 0)) {
-      return ofBoard(status, this.of(Finding.Failsafe));
-    }
-    if (this.source.isBoard && status.state === LinkState.NeverSeen) {
-      return 4 * status.garbled <= status.characters ? awaited : noText;
-    }
-    switch (status.state) {
-      case LinkState.Failsafe:
-        return this.of((newest?.flags ?? 0) & Flag.ByLosses ? Finding.NoRadio : Finding.Failsafe);
-      case LinkState.Stale:
-        if (status.finding === Finding.LongPeriod && status.quietUs < silenceUs) {
-          return this.ofFrames(status.finding, false, status); // stale between two frames
-        }
-        return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
-          ? this.of(Finding.NoFrames)
-          : { ...this.of(Finding.NoSignal), text: 'Signal lost: frames came before, but no bytes come now.' };
-      case LinkState.NeverSeen: {
-        const finding = live ? live.round : this.finding(status);
-        return finding === undefined
-          ? { text: 'Listening.', remedy: 'Waiting for the first frame.', severity: 'note' }
-          : this.of(finding);
+  if (file.damage?.length) {
+    return { text: file.damage[0], remedy: file.damage[1], severity: 'alarm' };
+  }
+  if (status.rows > 0 || (status.otherLines > 0 && status.frames === 0)) {
+    return ofBoard(status, of(core, Finding.Failsafe));
+  }
+  if (source.isBoard && status.state === LinkState.NeverSeen) {
+    return 4 * status.garbled <= status.characters ? awaited : noText;
+  }
+  switch (status.state) {
+    case LinkState.Failsafe:
+      return of(core, (newest?.flags ?? 0) & Flag.ByLosses ? Finding.NoRadio : Finding.Failsafe);
+    case LinkState.Stale:
+      if (status.finding === Finding.LongPeriod && status.quietUs < silenceUs) {
+        return ofFrames(core, status.finding, false, status); // stale between two frames
       }
-      default:
-        return this.ofFrames(this.finding(status), status.state === LinkState.Lossy, status);
+      return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
+        ? of(core, Finding.NoFrames)
+        : { ...of(core, Finding.NoSignal), text: 'Signal lost: frames came before, but no bytes come now.' };
+    case LinkState.NeverSeen: {
+      const finding = live ? live.round : findingOf(source, status);
+      return finding === undefined
+        ? { text: 'Listening.', remedy: 'Waiting for the first frame.', severity: 'note' }
+        : of(core, finding);
     }
+    default:
+      return ofFrames(core, findingOf(source, status), status.state === LinkState.Lossy, status);
   }
+}
 
-  // Returns the finding of the line's last whole second; if its time stands still before that is over, of all that has come.
-  private finding(status: Status): Finding | undefined {
-    return status.finding >= 0 ? status.finding : this.source.stands && status.characters > 0 ? status.findingSoFar : undefined;
-  }
+// Returns the finding of the line's last whole second; if its time stands still before that is over, of all that has come.
+function findingOf(source: Source, status: Status): Finding | undefined {
+  return status.finding >= 0 ? status.finding : source.stands && status.characters > 0 ? status.findingSoFar : undefined;
+}
 
-  // Frames come: a finding about older ones must not contradict the newest.
-  private ofFrames(finding: Finding | undefined, lossy: boolean, { gapMeanUs }: Status): Verdict {
-    const isOld = finding === undefined || finding === Finding.Failsafe || finding <= Finding.NoFrames;
-    if (lossy && (isOld || this.core.isWell(finding))) {
-      return this.of(Finding.Lossy);
-    }
-    if (isOld) {
-      return { text: 'Receiving frames.', remedy: 'The verdict needs one second.', severity: 'good' };
-    }
-    if (finding === Finding.LongPeriod) {
-      const found = this.of(finding);
-      return { ...found, remedy: `${found.remedy} A frame comes every ${Math.round(gapMeanUs / 1000)} ms.` };
-    }
-    return this.of(finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
+// Frames come: a finding about older ones must not contradict the newest.
+function ofFrames(core: Core, finding: Finding | undefined, lossy: boolean, { gapMeanUs }: Status): Verdict {
+  const isOld = finding === undefined || finding === Finding.Failsafe || finding <= Finding.NoFrames;
+  if (lossy && (isOld || core.isWell(finding))) {
+    return of(core, Finding.Lossy);
   }
+  if (isOld) {
+    return { text: 'Receiving frames.', remedy: 'The verdict needs one second.', severity: 'good' };
+  }
+  if (finding === Finding.LongPeriod) {
+    const found = of(core, finding);
+    return { ...found, remedy: `${found.remedy} A frame comes every ${Math.round(gapMeanUs / 1000)} ms.` };
+  }
+  return of(core, finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
+}
 
-  private of(finding: Finding): Verdict {
-    return {
-      text: this.core.findingText(finding),
-      remedy: this.core.findingRemedy(finding),
-      severity: this.core.isWell(finding) ? 'good' : (severities[finding] ?? 'alarm'),
-    };
-  }
+function of(core: Core, finding: Finding): Verdict {
+  return {
+    text: core.findingText(finding),
+    remedy: core.findingRemedy(finding),
+    severity: core.isWell(finding) ? 'good' : (severities[finding] ?? 'alarm'),
+  };
 }
 
 const awaited: Verdict = {
@@ -123,7 +116,7 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'Text comes, but no rows of numbers.',
-      remedy: 'Upload a sketch that prints 2 to 32 numbers per line, separated by commas, tabs or blanks: DecodeSBus, AllChannels or Channels24.',
+      remedy: 'Upload a sketch that prints 2 to 32 numbers per line, separated by commas, semicolons, tabs or blanks: DecodeSBus, AllChannels or Channels24.',
       severity: 'warning',
     };
   }

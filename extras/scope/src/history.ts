@@ -2,6 +2,7 @@
 
 import { Flag, Kind, type Stretch } from './line';
 import type { Samples } from './messages';
+import { firstFrom } from './numbers';
 
 export const keptSeconds = 240; // of a usual line, at least
 
@@ -73,17 +74,7 @@ export class History implements Samples {
 
   // Returns the first sample that is not older.
   find(seconds: number): number {
-    let low = this.begin;
-    let high = this.end;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.time(middle) < seconds) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return firstFrom(this.begin, this.end, (sample) => this.time(sample) < seconds);
   }
 
   // Returns the samples of a time, with the one before and the one after it: from `begin` to before `end`.

@@ -123,8 +123,6 @@ export interface Comparison {
   areDelaysLate: boolean; // all of them are of frames that came while the PC was late
 }
 
-type Travel = [number, number] | undefined;
-
 // Among the ports that this page may use, in the browser's order; a SerialPort cannot be sent to a worker.
 export interface PortPlace {
   index: number;
@@ -196,7 +194,7 @@ export interface Picture {
   isPreview?: boolean; // of a place that is not decoded yet: the line before it is not known, and the picture follows
   us: number;
   status: Status;
-  travel: Travel[]; // by channel
+  travel: (Pair | undefined)[]; // by channel
   telemetry: string[]; // see Remote.telemetry()
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;

@@ -2,7 +2,7 @@
 
 import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
 import type { Stretch } from './line';
-import type { Picture } from './messages';
+import type { Answer, Picture } from './messages';
 
 const channels = 32;
 
@@ -81,8 +81,14 @@ export class Native {
     return this.words(this.calls.findingRemedy(finding));
   }
 
+  // Begins or ends a recording.
+  record(on: boolean): Answer {
+    const us = this.calls.record(Number(on));
+    return on ? { kind: 'recording', us } : { kind: 'recorded', text: this.recorded() };
+  }
+
   // Returns what was recorded since the last call.
-  recorded(): string {
+  private recorded(): string {
     return this.words(this.calls.takeRecorded());
   }
 

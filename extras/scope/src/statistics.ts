@@ -1,6 +1,7 @@
 // Statistics of the history: the frame intervals, and the lost radio frames over time. They need no memory but a buffer to sort.
 
 import { History } from './history';
+import { roundUp } from './numbers';
 
 const scratch = new Float64Array(History.capacity);
 
@@ -33,7 +34,7 @@ export function intervals(history: History): Intervals | undefined {
   sorted.sort();
   const at = (part: number): number => sorted[Math.round(part * (count - 1))];
   const [lowUs, highUs] = [at(0.01), at(0.99)];
-  const widthUs = round((highUs - lowUs) / (binCount - 11));
+  const widthUs = roundUp(Math.max((highUs - lowUs) / (binCount - 11), leastWidthUs));
   const first = Math.max(Math.round((lowUs + highUs) / 2 / widthUs) - (binCount >> 1), 0);
   const bins = new Array<number>(binCount).fill(0);
   const outside = [0, 0];
@@ -47,19 +48,6 @@ export function intervals(history: History): Intervals | undefined {
   }
   const [shorter, longer] = outside;
   return { count, medianUs: at(0.5), lowUs, highUs, longestUs: sorted[count - 1], firstUs: first * widthUs, widthUs, bins, shorter, longer };
-}
-
-// Rounds up to 1, 2 or 5 times a power of ten, leastWidthUs at least.
-function round(us: number): number {
-  let ten = leastWidthUs;
-  for (;;) {
-    for (const times of [1, 2, 5]) {
-      if (times * ten >= us) {
-        return times * ten;
-      }
-    }
-    ten *= 10;
-  }
 }
 
 // What came within one bar of the chart.

@@ -2,6 +2,7 @@
 
 import { Kind, type Stretch } from './line';
 import type { Envelope } from './messages';
+import { roundUp } from './numbers';
 
 export interface Range {
   low: number;
@@ -38,13 +39,6 @@ export function ticksOf({ low, high, range }: Unit): number[] {
   return [low, ...middle, high];
 }
 
-// Rounds away from 0 to 1, 2 or 5 times a power of ten.
-function round(value: number): number {
-  const size = Math.abs(value);
-  const ten = 10 ** Math.floor(Math.log10(size));
-  return value === 0 ? 0 : Math.sign(value) * ten * ([1, 2, 5].find((times) => size <= times * ten) ?? 10);
-}
-
 export class Units {
   private printed: Unit = { raw: false, low: 0, high: 0, text: asPrinted };
 
@@ -56,8 +50,8 @@ export class Units {
       return raw;
     }
     const [least, greatest] = envelope?.ends ?? [0, 0];
-    const low = round(Math.min(this.printed.low, least, ...newest.channels));
-    const high = round(Math.max(this.printed.high, greatest, ...newest.channels));
+    const low = roundUp(Math.min(this.printed.low, least, ...newest.channels));
+    const high = roundUp(Math.max(this.printed.high, greatest, ...newest.channels));
     if (low !== this.printed.low || high !== this.printed.high) {
       this.printed = { ...this.printed, low, high };
     }

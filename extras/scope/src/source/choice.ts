@@ -10,6 +10,7 @@ interface Chosen {
 
 export class Choice<Source extends Chosen> {
   current?: Source;
+  doing = ''; // what is done until the next source is ready
   private asking?: AbortController;
   private preparing?: AbortController;
 

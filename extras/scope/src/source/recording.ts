@@ -73,7 +73,7 @@ export class RecordingSource implements Source {
 
   // Goes to the next fault, or the one before, and stops there. `only`: of that kind.
   seekFault(back: boolean, only?: Fault): void {
-    this.line.seekFault(this.us, this.found, back, only, (us, found) => {
+    this.line.look({ kind: 'fault', us: this.us, at: this.found, only, back }, ({ us, found }) => {
       this.us = us;
       this.playing = false;
       this.found = found ?? this.found;
@@ -81,10 +81,10 @@ export class RecordingSource implements Source {
     });
   }
 
-  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stops there. `tell`: see
-  // Remote.seekEvent().
+  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stops there. Calls `tell` with the
+  // position and the moment, if there is one; not at all if the page seeks another position first.
   seekEvent(us: number, steps: Uint8Array, afterUs: number, tell: (us: number, event: number | null) => void): void {
-    this.line.seekEvent(us, steps, afterUs, (to, event) => {
+    this.line.look({ kind: 'event', us, steps, afterUs }, ({ us: to, event = null }) => {
       this.leave();
       this.us = event === null ? this.us : to;
       this.playing = false;

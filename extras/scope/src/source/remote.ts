@@ -2,7 +2,7 @@
 
 import type { Core } from '../core';
 import type { Sink, Status } from '../line';
-import type { Answer, Comparison, Envelope, Fault, FaultMap, Flight, Found, Live, LiveState, Opening, Picture, Problem, Request, Span, Wire } from '../messages';
+import type { Answer, Comparison, Envelope, FaultMap, Flight, Live, LiveState, Opening, Picture, Problem, Request, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -24,6 +24,7 @@ const notBeside: Problem = {
 const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
+type Looked = Omit<Extract<Request, { kind: 'fault' }>, 'id'> | Omit<Extract<Request, { kind: 'event' }>, 'id'>;
 
 // A worker, a port to one, or what does its work in the page.
 interface Channel {
@@ -71,21 +72,13 @@ export class Remote {
     }
     const worker = makeWorker();
     try {
-      const opened = new Promise<Opened>((resolve, reject) => {
+      const broken = new Promise<never>((_, reject) => {
         signal.addEventListener('abort', () => reject(signal.reason));
         worker.onerror = (): void => reject(noWorker);
-        worker.onmessage = ({ data }: MessageEvent<Answer>): void => {
-          if (data.kind === 'progress') {
-            progress(data.part);
-          } else if (data.kind === 'opened') {
-            resolve(data);
-          } else if (data.kind === 'failed') {
-            reject(new Error(data.error));
-          }
-        };
-        worker.postMessage({ kind: 'open', wasm: core.wasm, file, signal: wire } satisfies Request);
       });
-      const remote = new Remote(core, worker, () => worker.terminate(), await opened).listening();
+      worker.postMessage({ kind: 'open', wasm: core.wasm, file, signal: wire } satisfies Request);
+      const opened = (await Promise.race([broken, firstAnswer(worker, progress)])) as Opened;
+      const remote = new Remote(core, worker, () => worker.terminate(), opened).listening();
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
         remote.fail();
@@ -122,19 +115,10 @@ export class Remote {
   }
 
   // Returns undefined if the line cannot be opened there.
-  private static async opened(core: Core, channel: Channel, id: number, broken?: Promise<void>): Promise<Remote | undefined> {
-    const opened = await new Promise<Opened | undefined>((resolve, reject) => {
-      channel.onmessage = ({ data }): void => {
-        if (data.kind === 'failed') {
-          reject(data.remedy ? ({ text: data.error, remedy: data.remedy } satisfies Problem) : new Error(data.error));
-        } else {
-          resolve(data.kind === 'opened' ? data : undefined);
-        }
-      };
-      void broken?.then(() => resolve(undefined));
-    });
+  private static async opened(core: Core, channel: Channel, id: number, ...broken: Promise<void>[]): Promise<Remote | undefined> {
+    const opened = await Promise.race([firstAnswer(channel), ...broken]);
     const end = (): void => channel.postMessage({ kind: 'close' }); // the worker goes on: it may have other lines
-    return opened && new Remote(core, channel, end, opened, id).listening();
+    return opened ? new Remote(core, channel, end, opened, id).listening() : undefined;
   }
 
   // What decodes the line has failed: nothing comes any more.
@@ -160,18 +144,10 @@ export class Remote {
     this.ask({ kind: 'seek', id: this.id, us });
   }
 
-  // Goes to the next fault after `us`, or after the fault `at`; with `back`, to the one before; with `only`, of that kind. Calls
-  // `tell` with the position and the fault, or null at the last one; not at all if the page seeks another position first.
-  seekFault(us: number, at: Span | undefined, back: boolean, only: Fault | undefined, tell: (us: number, found: Found | null) => void): void {
-    this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.found ?? null) };
-    this.ask({ kind: 'fault', id: this.id, us, at, only, back });
-  }
-
-  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true. Calls `tell` with the position and the
-  // moment, or null without one; not at all if the page seeks another position first.
-  seekEvent(us: number, steps: Uint8Array, afterUs: number, tell: (us: number, event: number | null) => void): void {
-    this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.event ?? null) };
-    this.ask({ kind: 'event', id: this.id, us, steps, afterUs });
+  // Goes to a fault or an event. Calls `tell` with the picture there; not at all if the page seeks another position first.
+  look(request: Looked, tell: (picture: Picture) => void): void {
+    this.looking = { id: ++this.id, tell };
+    this.ask({ ...request, id: this.id });
   }
 
   // Marks the events of a condition (Flag.Event) from now on, or of none.
@@ -275,38 +251,31 @@ export class Remote {
   }
 
   private hear(answer: Answer): void {
-    if (answer.kind === 'progress') {
-      this.progress = answer.part;
-    } else if (answer.kind === 'failed') {
-      this.fail();
-    } else if (answer.kind === 'recording') {
-      this.recordingUs = answer.us;
-    } else if (answer.kind === 'recorded') {
-      this.ended?.(this.takeRecorded() + answer.text);
-      this.ended = undefined;
-    } else if (answer.kind === 'faults') {
-      this.faults = answer.map;
-    } else if (answer.kind === 'envelope') {
-      this.envelope = answer.envelope;
-    } else if (answer.kind === 'flight') {
-      this.flight = answer.flight;
-    } else if (answer.kind === 'compared') {
-      this.compared = answer;
-    } else if (answer.kind === 'report') {
-      this.reported?.(answer.html);
-    } else if (answer.kind === 'wire') {
-      this.wire = answer;
-    } else {
-      this.came.push(answer);
-      if (answer.kind === 'picture' && (answer.found !== undefined || answer.event !== undefined) && this.isLooking) {
-        this.sought = answer.jumped ? answer.id : this.sought;
-        this.looking?.tell(answer);
-        this.looking = undefined;
-      }
-      if (answer.kind === 'picture') {
+    switch (answer.kind) {
+      case 'progress': this.progress = answer.part; break;
+      case 'failed': this.fail(); break;
+      case 'recording': this.recordingUs = answer.us; break;
+      case 'recorded':
+        this.ended?.(this.takeRecorded() + answer.text);
+        this.ended = undefined;
+        break;
+      case 'faults': this.faults = answer.map; break;
+      case 'envelope': this.envelope = answer.envelope; break;
+      case 'flight': this.flight = answer.flight; break;
+      case 'compared': this.compared = answer; break;
+      case 'report': this.reported?.(answer.html); break;
+      case 'wire': this.wire = answer; break;
+      case 'past': this.came.push(answer); break;
+      case 'picture':
+        this.came.push(answer);
         this.text += answer.recorded;
         this.comparedSoFar = answer.compared ?? this.comparedSoFar;
-      }
+        if ((answer.found !== undefined || answer.event !== undefined) && this.isLooking) {
+          this.sought = answer.jumped ? answer.id : this.sought;
+          this.looking?.tell(answer);
+          this.looking = undefined;
+        }
+        break;
     }
   }
 
@@ -326,6 +295,21 @@ export class Remote {
       pieces.flat().forEach((stretch) => sink.take(stretch));
     }
   }
+}
+
+// Returns what a line opens with, or undefined if it is refused there. Throws an Error or a Problem that says why it cannot be opened.
+function firstAnswer(channel: Channel, progress: (part: number) => void = () => undefined): Promise<Opened | undefined> {
+  return new Promise((resolve, reject) => {
+    channel.onmessage = ({ data }): void => {
+      if (data.kind === 'progress') {
+        progress(data.part);
+      } else if (data.kind === 'failed') {
+        reject(data.remedy ? ({ text: data.error, remedy: data.remedy } satisfies Problem) : new Error(data.error));
+      } else {
+        resolve(data.kind === 'opened' ? data : undefined);
+      }
+    };
+  });
 }
 
 function makeWorker(): Worker {

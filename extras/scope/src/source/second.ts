@@ -13,7 +13,7 @@ const jumpUs = 2000000; // what is further away is sought
 let ids = 0;
 
 // Returns B's time at a time of A, in us.
-export const otherUs = ({ atZeroUs, driftPpm, laterUs }: Comparison, us: number): number => us + atZeroUs + (driftPpm * us) / 1e6 - laterUs;
+const otherUs = ({ atZeroUs, driftPpm, laterUs }: Comparison, us: number): number => us + atZeroUs + (driftPpm * us) / 1e6 - laterUs;
 
 export abstract class Second implements Sink {
   readonly history = new History();
@@ -23,14 +23,24 @@ export abstract class Second implements Sink {
     readonly name: string,
   ) {}
 
-  // Returns undefined before it is made, null if both have no frame in common.
-  abstract get comparison(): Comparison | null | undefined;
+  // What was found so far; undefined before there is anything.
+  protected abstract readonly found?: Comparison;
+
+  // The text to show until the delay is known.
+  abstract readonly waiting: string;
+
+  // Goes to the moment at which A is. Call it for each picture.
+  abstract follow(): void;
+
+  // Returns undefined until the delay is known.
+  get comparison(): Comparison | undefined {
+    return this.found?.delays ? this.found : undefined;
+  }
 
   // Why frames differ: rates, and ends of channels; or ''.
-  abstract get ends(): string;
-
-  // The text to show until then.
-  abstract readonly waiting: string;
+  get ends(): string {
+    return this.found?.ends ?? '';
+  }
 
   // What is wrong with its port or its decoder, or ''.
   get problem(): string {
@@ -38,11 +48,10 @@ export abstract class Second implements Sink {
     return problem ? `${problem.text} ${problem.remedy}` : '';
   }
 
-  // Goes to the moment at which A is. Call it for each picture.
-  abstract follow(): void;
-
   // Returns B's time at a time of A, in us; NaN before it is known.
-  abstract at(us: number): number;
+  at(us: number): number {
+    return this.found ? otherUs(this.found, us) : NaN;
+  }
 
   take(stretch: Stretch): void {
     if (isSample(stretch)) {
@@ -64,7 +73,6 @@ export abstract class Second implements Sink {
 }
 
 export class SecondRecording extends Second {
-  readonly waiting = 'Both are decoded and compared.';
   private readonly id = ++ids;
   private askedUs = NaN;
 
@@ -82,14 +90,13 @@ export class SecondRecording extends Second {
     return new SecondRecording(first, await Remote.read(core, file, signal, () => undefined), file);
   }
 
-  get comparison(): Comparison | null | undefined {
+  get found(): Comparison | undefined {
     const { compared } = this.first.line;
-    return compared?.id !== this.id ? undefined : compared.comparison.delays > 0 ? compared.comparison : null;
+    return compared?.id === this.id ? compared.comparison : undefined;
   }
 
-  get ends(): string {
-    const { compared } = this.first.line;
-    return compared?.id === this.id ? compared.comparison.ends : '';
+  get waiting(): string {
+    return this.found ? 'The recordings have no frame in common.' : 'Both are decoded and compared.';
   }
 
   follow(): void {
@@ -104,10 +111,6 @@ export class SecondRecording extends Second {
       }
       line.advance(this);
     }
-  }
-
-  at(us: number): number {
-    return this.comparison ? otherUs(this.comparison, us) : NaN;
   }
 }
 
@@ -124,22 +127,12 @@ export class SecondPort extends Second {
     return new SecondPort(make());
   }
 
-  get comparison(): Comparison | undefined {
-    const { comparedSoFar } = this.line;
-    return comparedSoFar?.delays ? comparedSoFar : undefined;
-  }
-
-  get ends(): string {
-    return this.line.comparedSoFar?.ends ?? '';
+  get found(): Comparison | undefined {
+    return this.line.comparedSoFar;
   }
 
   follow(): void {
     this.source.nowUs();
     this.line.advance(this);
-  }
-
-  at(us: number): number {
-    const { comparedSoFar } = this.line;
-    return comparedSoFar ? otherUs(comparedSoFar, us) : NaN;
   }
 }

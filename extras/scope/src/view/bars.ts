@@ -2,7 +2,7 @@
 
 import type { Channels } from '../channels';
 import type { Core } from '../core';
-import { make, setAttribute, setText } from '../dom';
+import { byId, make, setAttribute, setText } from '../dom';
 import type { Stretch } from '../line';
 import type { Remote } from '../source/remote';
 import { Throttle } from '../throttle';
@@ -27,12 +27,12 @@ interface Bar {
 }
 
 export class Bars {
+  private readonly list = byId('bars');
   private readonly bars: Bar[] = [];
   private readonly text = new Throttle(textMs);
   private readonly speech = new Throttle(spokenMs);
 
   constructor(
-    private readonly list: HTMLElement,
     private readonly core: Core,
     private readonly channels: Channels,
     private readonly line: () => Remote | undefined,

@@ -2,10 +2,13 @@
 
 import { clock } from '../clock';
 import { type Bookmarks, commentsOf, longestName, withoutList } from '../bookmarks';
-import { byId, download, make, setText } from '../dom';
+import { byId, download, make, onKeys, setText } from '../dom';
 import type { Bookmark, Problem } from '../messages';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
+
+const listed = 100; // bookmarks: a list out of sight costs a picture as much as a row out of sight
+const rowRem = 4.1; // height
 
 export class BookmarksView {
   private readonly list = byId('bookmarks-list');
@@ -22,9 +25,7 @@ export class BookmarksView {
     private readonly failed: (problem: Problem) => void,
   ) {
     byId('bookmark').addEventListener('click', () => this.add());
-    for (const root of [byId('plot'), byId('timeline')]) {
-      root.addEventListener('keydown', (event) => this.key(event));
-    }
+    onKeys((key) => key === 'b' && this.add());
     this.save.addEventListener('click', () => void this.saveFile());
   }
 
@@ -42,23 +43,20 @@ export class BookmarksView {
       this.shown = all;
       byId('bookmarks').hidden = all.length === 0 && !this.source?.line.file.bookmarks?.length;
       this.rows = new Map(all.map((bookmark) => [bookmark, this.rows.get(bookmark) ?? this.row(bookmark)]));
-      const rows = new Set<Element>(this.rows.values()); // those that stay keep the focus
-      [...this.list.children].filter((row) => !rows.has(row)).forEach((row) => row.remove());
-      [...rows].forEach((row, i) => this.list.children[i] !== row && this.list.insertBefore(row, this.list.children[i] ?? null));
+      const rows = [...this.rows.values()];
+      const focused = document.activeElement as HTMLElement | null;
+      const lists = Array.from({ length: Math.ceil(rows.length / listed) }, (_, i) => rows.slice(i * listed, (i + 1) * listed));
+      this.list.replaceChildren(...lists.map((part) => make('ol', { style: `contain-intrinsic-height: ${rowRem * part.length}rem` }, ...part)));
+      if (this.list.contains(focused)) {
+        focused?.focus();
+      }
     }
   }
 
-  private add(): void {
+  private add(): true {
     const { us, name } = this.bookmarks.add(this.now());
     setText(byId('bookmark-announcement'), `${name} at ${clock(us)}`);
-  }
-
-  private key(event: KeyboardEvent): void {
-    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !(event.target instanceof HTMLSelectElement);
-    if (event.key.toLowerCase() === 'b' && isPlain) {
-      event.preventDefault();
-      this.add();
-    }
+    return true;
   }
 
   private row(bookmark: Bookmark): HTMLElement {

@@ -1,6 +1,6 @@
 // The counters, by cause. Those at 0 are pale.
 
-import { make, setText } from '../dom';
+import { byId, make, setText } from '../dom';
 import type { Status } from '../line';
 import { Throttle } from '../throttle';
 
@@ -23,10 +23,11 @@ const rows: [keyof Status, string, string][] = [
 const rare = ['extraFrames', 'rows', 'otherLines', 'lateReads']; // not shown before the first
 
 export class CountersView {
+  private readonly list = byId('counters');
   private readonly values = new Map<string, HTMLElement>();
   private readonly text = new Throttle(200);
 
-  constructor(private readonly list: HTMLElement) {
+  constructor() {
     rows.forEach(([key, name, title]) => this.add(key, name, title));
   }
 

@@ -4,7 +4,7 @@
 import type uPlot from 'uplot';
 import type { Channels } from '../channels';
 import { widthText } from '../clock';
-import { setText } from '../dom';
+import { byId, setText } from '../dom';
 import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
@@ -43,6 +43,9 @@ export const together: uPlot.Cursor.Sync = { key: 'lines', filters: { pub: (type
 const widthOf = (_: uPlot, texts: string[] | null): number => 14 + 7 * Math.max(...(texts ?? ['']).map(({ length }) => length));
 
 export class Curves {
+  private readonly root = byId('plot');
+  private readonly button = byId('pause');
+  private readonly readout = byId('readout');
   private plot?: uPlot;
   private shown = ''; // channels and colours that the plot was made for
   private readonly view = new Viewport();
@@ -63,19 +66,20 @@ export class Curves {
   private readonly table: CursorTable;
 
   constructor(
-    private readonly root: HTMLElement,
     private readonly history: History,
     private readonly channels: Channels,
     private readonly sensors: Sensors,
     private readonly visit: (us: number) => void, // goes to a place of a recording
-    private readonly ui: { pause: HTMLElement; window: HTMLElement; readout: HTMLElement; cursors: HTMLElement; table: HTMLElement },
   ) {
     this.strokes = this.samples = new SampleStrokes(history);
-    this.table = new CursorTable(ui.table, history);
-    this.cursors = new Cursors(history, this.view, ui.cursors, (on) => this.pause(on || this.paused), () => this.told());
-    keepSize(root, () => this.plot);
-    root.addEventListener('keydown', (event) => this.key(event));
-    new Gestures(root, {
+    this.cursors = new Cursors(history, this.view, byId('cursors'), (on) => this.pause(on || this.paused), () => this.told());
+    this.table = new CursorTable(byId('cursor-values'), history);
+    byId('zoom-in').addEventListener('click', () => this.zoom(1));
+    byId('zoom-out').addEventListener('click', () => this.zoom(-1));
+    this.button.addEventListener('click', () => this.pause(!this.paused));
+    keepSize(this.root, () => this.plot);
+    this.root.addEventListener('keydown', (event) => this.key(event));
+    new Gestures(this.root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
       scroll: (part) => this.move((view) => view.scroll(part)),
       zoom: (factor, part) => this.move((view) => view.zoom(factor, part)),
@@ -135,14 +139,15 @@ export class Curves {
   }
 
   // +1 zooms in.
-  zoom(steps: number): void {
+  private zoom(steps: number): void {
     this.move((view) => view.step(steps));
   }
 
-  // Removes the cursors and ends a pause: another source follows.
-  forget(): void {
+  // Another line: removes the cursors and ends a pause. `lengthUs`: see Viewport.
+  enter(lengthUs: number): void {
     this.cursors.clear();
     this.pause(false);
+    this.look((view) => view.enter(lengthUs / 1e6));
   }
 
   // Redraws what depends on the theme.
@@ -212,9 +217,9 @@ export class Curves {
   }
 
   private told(): void {
-    this.ui.pause.setAttribute('aria-pressed', String(this.paused));
-    setText(this.ui.pause, this.paused ? 'Continue' : 'Pause');
-    setText(this.ui.window, widthText(this.view.seconds));
+    this.button.setAttribute('aria-pressed', String(this.paused));
+    setText(this.button, this.paused ? 'Continue' : 'Pause');
+    setText(byId('window'), widthText(this.view.seconds));
   }
 
   // Returns true if the curves have moved by a pixel: a minute and more is drawn a few times a second.
@@ -253,7 +258,7 @@ export class Curves {
     const hint = this.strokes !== this.samples
       ? 'Each column reaches from the lowest to the highest value. Zoom into a part to go there.'
       : `${this.paused ? 'Paused. Double-click to return to the newest data. ' : ''}Drag to scroll, ${wheelKey} and the wheel to zoom.`;
-    setText(this.ui.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
+    setText(this.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
   }
 
   // Gestures has the other keys.
@@ -323,9 +328,14 @@ export class Curves {
       const [from, to] = this.shownUs;
       const gap = 4 * pixel;
       const freeX = new Array(nameRows).fill(bbox.left); // names do not lie on each other
+      let lastX = NaN;
       for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
         const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-        const { width } = ctx.measureText(name);
+        if (x === lastX) {
+          continue;
+        }
+        lastX = x;
+        const width = Math.min(...freeX) > x + gap ? Infinity : ctx.measureText(name).width; // no row is free
         const textX = x + gap + width > bbox.left + bbox.width ? x - gap - width : x + gap; // not over the right edge
         ctx.beginPath();
         ctx.moveTo(x, bbox.top);

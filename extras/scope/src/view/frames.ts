@@ -2,7 +2,7 @@
 
 import { secondsText } from '../clock';
 import type { Core } from '../core';
-import { make, setText } from '../dom';
+import { byId, make, setText } from '../dom';
 import { Flag, Kind, type Stretch } from '../line';
 import { Throttle } from '../throttle';
 
@@ -16,6 +16,8 @@ const howTo = 'Point at a bit. Bits are shown least significant first, as on the
 const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'The lost-frame flag', 3: 'The failsafe flag' };
 
 export class FramesView {
+  private readonly bits = byId('bits');
+  private readonly text = byId('bit-text');
   private stretches: Stretch[] = []; // the newest last
   private shown?: Stretch; // the frame shown bit by bit
   private held = false;
@@ -28,17 +30,12 @@ export class FramesView {
   private owners: (string | undefined)[] = []; // by bit: "CH3"
   private readonly rows: HTMLElement[] = [];
 
-  constructor(
-    private readonly core: Core,
-    private readonly bits: HTMLElement,
-    private readonly text: HTMLElement,
-    lines: HTMLElement,
-    private readonly hint: HTMLElement,
-  ) {
+  constructor(private readonly core: Core) {
+    const { bits } = this;
     for (let i = 0; i < kept; i++) {
       this.rows.push(make('li', {}, make('span', { class: 'time' }), make('code'), make('span', { class: 'why' })));
     }
-    lines.append(...this.rows);
+    byId('lines').append(...this.rows);
     bits.addEventListener('pointermove', (event) => this.point(event));
     bits.addEventListener('pointerdown', (event) => this.point(event));
     bits.addEventListener('pointerleave', () => this.hold(document.activeElement === bits));
@@ -81,7 +78,7 @@ export class FramesView {
     const newest = [...(this.stopped ?? this.stretches)].reverse();
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
-    setText(this.hint, newest.length === 0 ? 'No S.Bus bytes: none have come, or the source is a board that prints numbers.' : '');
+    setText(byId('hold'), newest.length === 0 ? 'No S.Bus bytes: none have come, or the source is a board that prints numbers.' : '');
     if (document.activeElement === this.bits) {
       this.hold(true); // those of another place
     }

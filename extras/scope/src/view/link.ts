@@ -1,6 +1,6 @@
 // The link at a glance: its state, the flags, age, quality, rate and gaps.
 
-import { make, setAttribute, setText } from '../dom';
+import { byId, make, setAttribute, setText } from '../dom';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 import { Throttle } from '../throttle';
 
@@ -36,7 +36,8 @@ export class LinkView {
   private readonly indicators = new Map<number, HTMLElement>();
   private readonly text = new Throttle(100);
 
-  constructor(root: HTMLElement) {
+  constructor() {
+    const root = byId('link');
     const tile = (label: string, ...content: HTMLElement[]): HTMLElement =>
       make('div', { class: 'tile' }, make('span', { class: 'label' }, label), make('div', {}, ...content));
     this.stateTile = tile('Link', this.state, this.quality);

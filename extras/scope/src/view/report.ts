@@ -3,18 +3,13 @@
 import { FlightKind } from '../border';
 import { clock } from '../clock';
 import { byId, make, setAttribute, setText } from '../dom';
-import type { Flight, FlightPart } from '../messages';
+import { faultNames } from '../faults';
+import { Fault, type Flight, type FlightPart } from '../messages';
 import type { RecordingSource } from '../source/recording';
 
 const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
 const kinds = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];
-const names: Record<FlightKind, string> = {
-  [FlightKind.Failsafe]: 'Failsafe',
-  [FlightKind.NoPulses]: 'No pulses',
-  [FlightKind.LostFrame]: 'Lost frames',
-  [FlightKind.NoFrames]: 'No frames',
-  [FlightKind.Late]: 'PC late',
-};
+const nameOf = (kind: FlightKind): string => faultNames[Fault[FlightKind[kind] as keyof typeof Fault]];
 const shownUs = 2000; // after a frame it is seen
 
 const seconds = (us: number): string => `${(us / 1e6).toFixed(3)} s`;
@@ -59,7 +54,7 @@ export class ReportView {
         const { count, us, longest } = spans[kind];
         const more = count > longest.length ? `; the ${longest.length} longest` : '';
         return listOf(
-          `${names[kind]}: ${count} ${count === 1 ? 'time' : 'times'}, ${seconds(us)} in all${more}`,
+          `${nameOf(kind).replace(/^./, (first) => first.toUpperCase())}: ${count} ${count === 1 ? 'time' : 'times'}, ${seconds(us)} in all${more}`,
           longest.map(([fromUs, toUs]) => [fromUs, fromUs + shownUs, seconds(toUs - fromUs)]),
           this.visit,
         );
@@ -89,6 +84,6 @@ export function listOf(title: string, rows: [number, number, string][], visit: (
 }
 
 function textOf([, , lost, kind]: FlightPart): string {
-  const what = kind === FlightKind.LostFrame ? '' : `, ${names[kind as FlightKind].toLowerCase().replace('pc', 'PC')}`;
+  const what = kind === FlightKind.LostFrame ? '' : `, ${nameOf(kind)}`;
   return `${(100 * lost).toFixed(1)} % lost${what}`;
 }

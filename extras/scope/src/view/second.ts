@@ -80,7 +80,7 @@ export class SecondView {
     const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
     setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${line.live?.note ?? ''}`.trim());
     if (!comparison) {
-      setText(byId('second-text'), `${comparison === null ? 'The recordings have no frame in common.' : waiting} ${ends}`.trim());
+      setText(byId('second-text'), `${waiting} ${ends}`.trim());
       return;
     }
     const { medianUs, leastUs, mostUs, driftPpm, evidence, areDelaysLate, same, different, alone, late, lost, spans, longest } = comparison;

@@ -30,10 +30,8 @@ export class SticksView {
   private readonly sticks: Stick[];
   private readonly text = new Throttle(textMs);
 
-  constructor(
-    root: HTMLElement,
-    private readonly core: Core,
-  ) {
+  constructor(private readonly core: Core) {
+    const root = byId('sticks');
     this.card = root.closest('section') as HTMLElement;
     this.sticks = ['Left stick', 'Right stick'].map((name) => {
       const place = make('i', { class: 'stick-at' });

@@ -2,7 +2,7 @@
 
 import { clock } from '../clock';
 import type { Bookmarks } from '../bookmarks';
-import { byId, setAttribute, setText } from '../dom';
+import { byId, onKeys, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
 import { ReportView } from './report';
@@ -36,9 +36,7 @@ export class Timeline {
     this.loop.addEventListener('change', () => this.apply());
     byId('fault-back').addEventListener('click', () => this.seekFault(true));
     byId('fault-next').addEventListener('click', () => this.seekFault(false));
-    for (const root of [this.panel, byId('plot')]) {
-      root.addEventListener('keydown', (event) => this.key(event));
-    }
+    onKeys((key, shift) => (key === 'n' || key === 'p') && this.seekFault(key === 'p' || shift)); // P, or Shift and N: back
   }
 
   show(source: RecordingSource | undefined): void {
@@ -98,19 +96,22 @@ export class Timeline {
     }
   }
 
-  // Goes there and stops.
-  visit(us: number): void {
+  // Goes there and stops. Returns false without a recording.
+  visit(us: number): boolean {
     this.seek(us);
     if (this.source) {
       this.source.playing = false;
     }
+    return this.source !== undefined;
   }
 
-  private seekFault(back: boolean): void {
+  // Returns false without a recording.
+  private seekFault(back: boolean): boolean {
     if (this.source) {
       this.leaving();
       this.source.seekFault(back, this.strip.only);
     }
+    return this.source !== undefined;
   }
 
   // Seeks by an arrow key of the slider; the browser handles PageUp, Home and so on.
@@ -120,15 +121,6 @@ export class Timeline {
       event.preventDefault();
       const { positionUs, lengthUs } = this.source;
       this.seek(Math.max(positionUs + steps * Math.min(stepUs, lengthUs / leastSteps), 0));
-    }
-  }
-
-  // Goes to a fault by N, back by Shift+N or P, but not in the list of speeds, where a letter chooses.
-  private key(event: KeyboardEvent): void {
-    const key = event.key.toLowerCase();
-    if ((key === 'n' || key === 'p') && !event.ctrlKey && !event.metaKey && !event.altKey && event.target !== this.speed && this.source) {
-      event.preventDefault();
-      this.seekFault(key === 'p' || event.shiftKey);
     }
   }
 

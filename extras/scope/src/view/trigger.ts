@@ -100,7 +100,7 @@ export class TriggerView {
       this.readyUs = Infinity;
       this.frames.stopAt(us);
       this.curves.mark(us);
-      this.say(`Event at ${seconds(us)}; the picture is filling.`);
+      this.say(`Event at ${secondsText(us)}; the picture is filling.`);
     }
   }
 
@@ -116,7 +116,7 @@ export class TriggerView {
       }
     }
     this.atUs = source instanceof RecordingSource ? source.positionUs : undefined;
-    this.say(`Event at ${seconds(this.eventUs as number)}${goesOn ? '; waiting for the next one' : ''}.`);
+    this.say(`Event at ${secondsText(this.eventUs as number)}${goesOn ? '; waiting for the next one' : ''}.`);
   }
 
   // The curves go on, and so do the bytes.
@@ -168,7 +168,7 @@ export class TriggerView {
     this.say('Searching for the next event.');
     source.seekEvent(fromUs, steps, this.afterUs, (us, event) => {
       if (event === null) {
-        this.say(`No event after ${seconds(fromUs)}.`);
+        this.say(`No event after ${secondsText(fromUs)}.`);
         return;
       }
       this.eventUs = event;
@@ -181,7 +181,8 @@ export class TriggerView {
   // Returns the condition, or says what is wrong with it.
   private condition(): Uint8Array | undefined {
     const newest = this.newest();
-    const { steps, error, from, to } = this.core.condition(this.input.value, newest && newest.kind === Kind.Row);
+    const isBoard = newest ? newest.kind === Kind.Row : this.source?.line.flight ? false : this.source?.isBoard;
+    const { steps, error, from, to } = this.core.condition(this.input.value, isBoard);
     if (error === '') {
       this.input.removeAttribute('aria-invalid');
       keep(key, this.input.value);
@@ -198,5 +199,3 @@ export class TriggerView {
     setText(byId('trigger-text'), text);
   }
 }
-
-const seconds = (us: number): string => secondsText(us);

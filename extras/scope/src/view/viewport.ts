@@ -8,10 +8,18 @@ const least = 0.1; // s: eleven frames
 
 export class Viewport {
   seconds = usual;
+  private first = usual; // of the line
   private right?: number; // the edge while it stands still, in s
   private now = 0;
   private oldest = 0;
   private whole = 0;
+
+  // Another line. `length`, in s: it shall fit, if it is short and the user has not chosen a width; 0: any.
+  enter(length: number): void {
+    const first = length > 0 && length < usual ? [least, ...windows].find((seconds) => seconds >= length) ?? usual : usual;
+    this.seconds = this.seconds === this.first ? first : this.seconds;
+    this.first = first;
+  }
 
   // Call it for each picture: the times of now and of the oldest sample, in s. `whole`: the length of a recording that can be shown from
   // end to end; 0 of any other line.
@@ -69,7 +77,7 @@ export class Viewport {
 
   // Shows the newest again, as wide as at first.
   reset(): void {
-    this.seconds = usual;
+    this.seconds = this.first;
     this.right = undefined;
   }
 

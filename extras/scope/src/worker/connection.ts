@@ -167,15 +167,7 @@ async function claim(port: Port): Promise<() => void> {
 
 function pause(ms: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
-    if (signal.aborted) {
-      resolve();
-      return;
-    }
-    const timer = setTimeout(resolve, ms);
-    const cancel = (): void => {
-      clearTimeout(timer);
-      resolve();
-    };
-    signal.addEventListener('abort', cancel, { once: true });
+    setTimeout(resolve, signal.aborted ? 0 : ms);
+    signal.addEventListener('abort', () => resolve(), { once: true });
   });
 }

@@ -4,6 +4,7 @@ import { type Exports, Gap, type Record } from '../border';
 import { binCount, faults, silenceUs } from '../faults';
 import { Flag, Kind } from '../line';
 import { Fault, type Found, type Span } from '../messages';
+import { firstFrom } from '../numbers';
 
 const apartUs = 1000000; // nearer damage is one fault; the others are spans as sbus summary counts them
 
@@ -32,12 +33,7 @@ class Spans {
 
   // Returns how many begin by then.
   by(us: number): number {
-    let [low, high] = [0, this.count];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      [low, high] = this.from[middle] <= us ? [middle + 1, high] : [low, middle];
-    }
-    return low;
+    return firstFrom(0, this.count, (span) => this.from[span] <= us);
   }
 }
 

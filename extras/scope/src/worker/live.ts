@@ -107,11 +107,7 @@ class LiveLine {
       case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
       case 'sensors': native.transfer(request.sensors, (count) => native.calls.setSensors(count)); break;
-      case 'record': {
-        const us = native.calls.record(Number(request.on));
-        this.answer(request.on ? { kind: 'recording', us } : { kind: 'recorded', text: native.recorded() });
-        break;
-      }
+      case 'record': this.answer(native.record(request.on)); break;
       case 'close':
         clearInterval(this.timer);
         lines.delete(this.id);

@@ -4,6 +4,7 @@ import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../borde
 import type { Status } from '../line';
 import type { Bookmark, Comparison, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
+import { firstFrom } from '../numbers';
 import { bytesOf, directory, unpack, type Entry } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -134,12 +135,7 @@ export class Tape {
 
   // Returns the first character that is not complete before then.
   find(us: number): number {
-    let [low, high] = [0, this.size];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      [low, high] = this.timeOf(middle) < us ? [middle + 1, high] : [low, middle];
-    }
-    return low;
+    return firstFrom(0, this.size, (character) => this.timeOf(character) < us);
   }
 
   beginFlight(): void {

@@ -2,6 +2,7 @@
 
 import { keptSeconds } from '../history';
 import type { Answer } from '../messages';
+import { firstFrom } from '../numbers';
 import { Throttle } from '../throttle';
 import type { Decoder, Image } from './decoder';
 import { EnvelopeIndex } from './envelope';
@@ -74,10 +75,6 @@ export class TapeIndex {
 
   // Returns the newest image that is not later.
   before(us: number): Image {
-    let newest = 0;
-    for (let i = 0; i < this.images.length && this.images[i].us <= us; i++) {
-      newest = i;
-    }
-    return this.images[newest];
+    return this.images[Math.max(firstFrom(0, this.images.length, (image) => this.images[image].us <= us) - 1, 0)];
   }
 }

@@ -69,27 +69,25 @@ class Playing {
 
   hear(request: Request): void {
     const { calls, reader } = this.player;
-    if (request.kind === 'resetMarks') {
-      calls.resetMarks();
-    } else if (request.kind === 'sensors') {
-      this.sense(request.sensors);
-    } else if (request.kind === 'compare') {
-      void this.compare(request.id, request.file);
-    } else if (request.kind === 'wire') {
-      answer(this.tape.wire(request.fromUs, request.toUs, request.columns));
-    } else if (request.kind === 'watch') {
-      this.player.watchFor(request.steps);
-    } else if (request.kind === 'record' && this.isLeaving) {
-      this.waiting.push(request); // a jump would end it
-    } else if (request.kind === 'record') {
-      const us = calls.record(Number(request.on));
-      answer(request.on ? { kind: 'recording', us } : { kind: 'recorded', text: reader.recorded() });
-    } else if (request.kind === 'report') {
-      answer({ kind: 'report', html: this.tape.report() });
-    } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault' || request.kind === 'event') {
-      this.wanted = request;
-      this.soughtUs = request.kind === 'seek' ? request.us : this.soughtUs;
-      this.waking();
+    switch (request.kind) {
+      case 'resetMarks': calls.resetMarks(); break;
+      case 'sensors': this.sense(request.sensors); break;
+      case 'compare': void this.compare(request.id, request.file); break;
+      case 'wire': answer(this.tape.wire(request.fromUs, request.toUs, request.columns)); break;
+      case 'watch': this.player.watchFor(request.steps); break;
+      case 'report': answer({ kind: 'report', html: this.tape.report() }); break;
+      case 'record':
+        if (this.isLeaving) {
+          this.waiting.push(request); // a jump would end it
+        } else {
+          answer(reader.record(request.on));
+        }
+        break;
+      case 'seek': case 'advance': case 'fault': case 'event':
+        this.wanted = request;
+        this.soughtUs = request.kind === 'seek' ? request.us : this.soughtUs;
+        this.waking();
+        break;
     }
   }
 

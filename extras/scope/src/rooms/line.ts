@@ -1,0 +1,141 @@
+// What is shown of any line: its verdict, its values, its bytes, its curves.
+
+import { Channels } from '../channels';
+import type { Core } from '../core';
+import { verdictOf } from '../doctor';
+import { byId } from '../dom';
+import { History, isSample } from '../history';
+import { Kind, LinkState, type Sink, type Stretch } from '../line';
+import { Sensors } from '../sensors';
+import type { Choice } from '../source/choice';
+import { RecordingSource } from '../source/recording';
+import type { Source } from '../source/Source';
+import { Units } from '../unit';
+import { Bars } from '../view/bars';
+import { CountersView } from '../view/counters';
+import { Curves } from '../view/curves';
+import { FramesView } from '../view/frames';
+import { LinkView } from '../view/link';
+import { NamesView } from '../view/names';
+import { StatisticsView } from '../view/statistics';
+import { SticksView } from '../view/sticks';
+import { TelemetryView } from '../view/telemetry';
+import { TriggerView } from '../view/trigger';
+import { VerdictView } from '../view/verdict';
+import type { Room, Shown } from './Room';
+
+export type LineRoom = ReturnType<typeof lineRoom>;
+
+const isTrusted = ({ status: { state } }: Shown): boolean => state === LinkState.Ok || state === LinkState.Lossy;
+
+// `visit`: goes to a time of the line, in us. `seeking`: called before another place of a recording is sought.
+export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number) => void, seeking: () => void) {
+  let newest: Stretch | undefined; // frame or row
+  const history = new History();
+  const channels = new Channels();
+  const units = new Units(byId<HTMLSelectElement>('unit'));
+  const sensors = new Sensors(core.sensors);
+  const curves = new Curves(history, channels, sensors, visit);
+  const frames = new FramesView(core);
+  const trigger = new TriggerView(core, curves, frames, () => newest, seeking);
+  const telemetry = new TelemetryView(sensors, sense);
+  const verdict = new VerdictView();
+  const link = new LinkView();
+  const bars = new Bars(core, channels, () => choice.current?.line);
+  const sticks = new SticksView(core);
+  const names = new NamesView(channels);
+  const counters = new CountersView();
+  const statistics = new StatisticsView(history);
+  byId('reset-marks').addEventListener('click', () => choice.current?.line.resetMarks());
+
+  const views: Room['views'] = {
+    'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.live?.note ?? ''),
+    'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.isPreview),
+    'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
+    'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
+    'The view of the names': () => names.draw(newest?.channels.length || 16),
+    'The view of the counters': ({ source, status }) => counters.draw(status, source.line.live?.events, source.line.isPreview),
+    'The view of the telemetry': ({ source }) => telemetry.draw(source.line.telemetry()),
+    'The view of the curves': ({ source, nowUs, status, unit }) => curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
+    'The trigger': ({ nowUs }) => trigger.draw(nowUs),
+    'The view of the intervals': ({ nowUs }) => statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
+    'The view of the bytes': () => frames.draw(),
+  };
+
+  const sink: Sink = {
+    take: (stretch) => {
+      core.feedCalibrator(stretch);
+      trigger.take(stretch);
+      if (stretch.kind !== Kind.Silence) {
+        add(stretch);
+      }
+      if (isSample(stretch)) {
+        history.add(stretch);
+      }
+    },
+    jump: (recalled) => {
+      trigger.jump();
+      forget();
+      recalled.forEach(add);
+    },
+    precede: (samples) => history.precede(samples),
+  };
+
+  // Adds bytes of S.Bus: a board that prints numbers has none.
+  function add(stretch: Stretch): void {
+    if (stretch.kind !== Kind.Row && newest?.kind !== Kind.Row) {
+      frames.add(stretch);
+    } else if (newest?.kind !== Kind.Row) {
+      frames.clear();
+    }
+    if (stretch.kind !== Kind.NoFrame) {
+      newest = stretch;
+    }
+  }
+
+  // Reads the line's telemetry by the sensors that are chosen; a recording from its beginning on.
+  function sense(): void {
+    const { current } = choice;
+    const recording = current instanceof RecordingSource ? current : undefined;
+    if (recording) {
+      seeking();
+    }
+    current?.line.ask({ kind: 'sensors', sensors: sensors.bytes });
+    recording?.seek(recording.positionUs);
+  }
+
+  function forget(): void {
+    history.clear();
+    frames.clear();
+    newest = undefined;
+    units.forget();
+  }
+
+  return {
+    history,
+    curves,
+    views,
+    get newest() {
+      return newest;
+    },
+    leave: forget,
+    enter(source: Source): void {
+      curves.enter(source.line.file.carrier ? source.line.file.lengthUs : 0); // a capture of an oscilloscope may be 20 ms
+      trigger.enter(source);
+      telemetry.enter();
+      if (sensors.any) {
+        sense();
+      }
+    },
+    repaint: () => curves.repaint(),
+    // Takes all that has come. Returns what to show.
+    show(source: Source): Shown {
+      const nowUs = source.nowUs();
+      source.line.advance(sink);
+      const unit = units.of(newest, source.line.envelope);
+      byId('rows').hidden = newest?.kind !== Kind.Row;
+      byId('scaling').hidden = !unit.raw;
+      return { source, nowUs, status: source.line.status(), newest, unit };
+    },
+  };
+}
