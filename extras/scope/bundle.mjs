@@ -7,7 +7,7 @@ import { build } from 'esbuild';
 const bundle = async (entry, define = {}) => {
   const { outputFiles } = await build({
     entryPoints: [entry], bundle: true, minify: true, write: false, outdir: 'dist', format: 'esm', target: 'es2022', charset: 'utf8',
-    legalComments: 'none', loader: { '.gz': 'binary' }, define,
+    legalComments: 'eof', loader: { '.gz': 'binary' }, define,
   });
   return Object.fromEntries(outputFiles.map(({ path, text }) => [path.slice(path.lastIndexOf('.') + 1), text.trim()]));
 };

@@ -123,7 +123,6 @@ std::string exportOf(std::string_view begin, const std::string &name) {
       {"", "", ".logicdata", "is a capture of Saleae's Logic 1: export it as CSV or VCD"},
       {"", "", ".scana", "is a workspace of ScanaStudio: export it as CSV or VCD"},
       {"", "", ".psdata", "is a file of PicoScope: save it as CSV (File, Save As)"},
-      {"\xFD" "7zXZ", "", "", Packed},  // the page; the command unpacks it
       {"BZh", "", "", Packed},
       {"\x28\xB5\x2F\xFD", "", "", Packed},  // zstd
       {"7z\xBC\xAF", "", "", Packed},

@@ -5,7 +5,7 @@ import type { Status } from '../line';
 import type { Bookmark, Comparison, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { firstFrom } from '../numbers';
-import { bytesOf, directory, unpack, type Entry } from './zip';
+import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
 const mostCharacters = 64;
@@ -38,8 +38,8 @@ export class Tape {
     this.native.transfer(new TextEncoder().encode(signal), (count) => calls.chooseSignal(count));
     const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
     const isZip = first === 0x50 && second === 0x4b;
-    const isGzip = first === 0x1f && second === 0x8b;
-    const error = isZip ? await this.readZip(file, taken) : await this.readText(file, isGzip ? 'gzip' : undefined, taken);
+    const packing = first === 0x1f && second === 0x8b ? 'gzip' : first === 0xfd && second === 0x37 ? 'xz' : undefined;
+    const error = isZip ? await this.readZip(file, taken) : await this.readText(file, packing, taken);
     if (error !== '') {
       return error;
     }
@@ -53,13 +53,13 @@ export class Tape {
       this.note = this.native.words(calls.fileNote());
       this.damage = this.native.words(calls.fileDamage()).split('\n').filter(Boolean);
       this.zeroUs = calls.recordingZeroUs();
-      this.bookmarks = isZip || isGzip || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
+      this.bookmarks = isZip || packing || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
     }
     return wrong;
   }
 
   // `taken`: how many more bytes of the file were read.
-  private async readText(file: File, packing: CompressionFormat | undefined, taken: (count: number) => void): Promise<string> {
+  private async readText(file: File, packing: Packing | undefined, taken: (count: number) => void): Promise<string> {
     const reader = bytesOf(file, packing, taken);
     const text = new Text(this.native);
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
