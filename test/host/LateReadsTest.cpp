@@ -112,9 +112,9 @@ TEST_CASE("bytes that a stalled adapter delivers late are the PC's fault, bytes 
 TEST_CASE("a recording from an adapter has the frames a second of its line, and none of them is missing") {
   const uint64_t seed = seedOfDay();
   CAPTURE(seed);
-  for (const uint32_t periodUs : {6300, 7000, 9000, 11000, 14000, 15000, 22000}) {
-    for (const uint32_t latencyUs : {1000, 4000, 16000}) {
-      for (const uint32_t lookUs : {1000, 10000, 30000}) {
+  for (const uint32_t periodUs : {6300u, 7000u, 9000u, 11000u, 14000u, 15000u, 22000u}) {
+    for (const uint32_t latencyUs : {1000u, 4000u, 16000u}) {
+      for (const uint32_t lookUs : {1000u, 10000u, 30000u}) {
         CAPTURE(periodUs);
         CAPTURE(latencyUs);
         CAPTURE(lookUs);
