@@ -35,6 +35,7 @@ export default async function () {
   const table = readFileSync(path.join(root, 'test/tool/RECORDINGS'), 'utf8').trim().split('\n').slice(1);
   for (const [number, row] of table.entries()) {
     const [, text, line, words] = /^(.*?)\|(?:(\d+):)? (.*)$/.exec(row);
+    if (text.startsWith('PK')) continue; // the page unpacks a ZIP itself: captures.mjs
     const name = `bad-${number}.txt`;
     await check(`a recording that "${words}" is rejected with the host's message, and where`, async (page) => {
       await page.setInputFiles('#file', { name, mimeType: 'text/plain', buffer: Buffer.from(text.replaceAll('\\n', '\n')) });
