@@ -110,8 +110,10 @@ silence '120 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7
 silence '120 E5 03 1F' 'has no frame'
 
 python3 -c 'import os, pty, subprocess, sys
-subprocess.run([sys.argv[1], "--source", os.ttyname(pty.openpty()[1]), "--seconds", "3.1"])' "$build/DecodeSBus" 2>"$build/err" </dev/null &&
-  [ "$(grep -c '^no bytes from /dev/.* yet[.] Is it the right port' "$build/err")" -eq 1 ]
+sketch = subprocess.Popen([sys.argv[1], "--source", os.ttyname(pty.openpty()[1]), "--seconds", "60"], stderr=subprocess.PIPE, text=True)
+isSaid = any(line.startswith("no bytes from /dev/") and "Is it the right port" in line for line in sketch.stderr)
+sketch.terminate()
+sys.exit(not isSaid)' "$build/DecodeSBus" </dev/null >"$build/out"
 verdict $? "a port that brings nothing: where to look"
 
 mkdir -p "$build/verdicts"
