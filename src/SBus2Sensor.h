@@ -5,8 +5,8 @@
 #include "DecodeSBusTelemetry.h"
 #include "port/ReceiveNotice.h"
 #include "port/SlotTimer.h"
-#include "sbus2/SlotSchedule.h"
 #include "sbus2/FrameInterval.h"
+#include "sbus2/SlotSchedule.h"
 
 #if defined(SBUS_BACKGROUND)
 #error "DecodeSBusBackground would delay the answers of an SBus2Sensor: extras/docs/interrupts.md"

@@ -1,14 +1,16 @@
 #include "line/Decoders.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 namespace line {
 
 namespace {
 
 constexpr uint8_t ShortGap = 3;     // characters, like a port that waits for them
-constexpr uint32_t SureLead = 2;    // votes ahead of the other decoder
-constexpr uint32_t LeadMost = 8;    // after as many frames a line that has changed has its other decoder
+constexpr int SureLead = 2;         // votes ahead of the other decoder
+constexpr int LeadMost = 8;         // after as many frames a line that has changed has its other decoder
 constexpr uint64_t EndUs = 50000;   // a longer silence ends everything before it
 constexpr size_t MostOpen = 8;      // at most this many frames of one decoder wait for the other
 
@@ -70,9 +72,7 @@ const std::vector<Piece> &Decoders::forBoth(Call call) {
 }
 
 bool Decoders::leads24() const {
-  const uint32_t votes16 = _finder16.events().votes;
-  const uint32_t votes24 = _finder24.events().votes;
-  return votes16 != votes24 ? votes24 > votes16 : _finder24.counters().frames > _finder16.counters().frames;
+  return _lead24 != 0 ? _lead24 > 0 : _finder24.counters().frames > _finder16.counters().frames;
 }
 
 sbus::Counters Decoders::ownCounters() const {
@@ -94,22 +94,20 @@ sbus::Counters Decoders::counters16() const {
 }
 
 const std::vector<Piece> &Decoders::decide(bool isOver) {
-  uint32_t &votes16 = _finder16.events().votes;
-  uint32_t &votes24 = _finder24.events().votes;
-  const uint32_t lead = std::min(LeadMost, std::max(votes16, votes24) - std::min(votes16, votes24));
-  votes16 = votes16 > votes24 ? lead : 0;
-  votes24 = votes16 > 0 ? 0 : lead;
-  const bool isOther = _isDecided && leads24() != _is24 && counters().frames > 0;
-  const sbus::Counters all = isOther ? counters() : _before;
-  _is24 = leads24();
-  if (isOther) {
+  const int more24 = std::exchange(_finder24.events().votes, 0) - std::exchange(_finder16.events().votes, 0);
+  _lead24 = std::clamp(_lead24 + more24, -LeadMost, LeadMost);
+  const bool is24 = leads24();
+  if (_isDecided && is24 != _is24 && counters().frames > 0) {
+    const sbus::Counters all = counters();
+    _is24 = is24;
     const sbus::Counters own = ownCounters();
     for (const auto count : AllCounts) {
       _before.*count = all.*count - own.*count;
     }
     return _none;
   }
-  _isDecided = _isDecided || !_finder16.events().isBursty || lead >= SureLead || (isOver && counters().frames != 0) ||
+  _is24 = is24;
+  _isDecided = _isDecided || !_finder16.events().isBursty || std::abs(_lead24) >= SureLead || (isOver && counters().frames != 0) ||
                places().pieces.size() >= MostOpen;
   return _isDecided ? places().pieces : _none;
 }
@@ -125,6 +123,7 @@ void Decoders::reset(uint64_t nowUs, uint32_t characterUs) {
   _byteUs = nowUs;
   _isDecided = false;
   _is24 = false;
+  _lead24 = 0;
   _before = {};
   forBoth([=](auto &finder) {
     finder.reset(static_cast<uint32_t>(nowUs), us, ShortGap);

@@ -35,7 +35,7 @@ class Places : public sbus::NoEvents {
   sbus::Counters withoutErrors(sbus::Counters counters) const;
 
   bool isBursty = true;              // a port delivers bytes in bursts, which hide gaps
-  uint32_t votes = 0;                // frames that speak for this decoder, as many as it leads by; LeadMost at most
+  int votes = 0;                     // frames that speak for this decoder, since the last decision
   std::vector<Piece> pieces;         // found by the last call
   std::vector<Rejected> rejections;  // only the newest ones
 
@@ -101,6 +101,7 @@ class Decoders {
   uint64_t _byteUs;  // of the last byte
   bool _isDecided;   // the right decoder is known
   bool _is24;        // the one for 24 channels
+  int _lead24;       // by how many of the newest frames that one leads; below 0: the other one
   sbus::Counters _before;  // to be added to the right decoder's: the line was another one
   std::vector<Piece> _none;
 };

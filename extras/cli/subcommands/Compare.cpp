@@ -208,7 +208,7 @@ void run(const Options &options) {
   other.finish();
   comparison.finish();
   if (!comparison.any()) {
-    const std::string why = comparison.rates() + comparison.scales();
+    const std::string why = comparison.why();
     throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common" + (why.empty() ? "" : ". ") + why);
   }
   write(options.json ? json(comparison, a.zeroUs())

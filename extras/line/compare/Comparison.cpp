@@ -175,6 +175,11 @@ std::string Comparison::rates() const {
              : format("A sends every %.2f ms, B every %.2f ms: frames differ while sticks move.", 1000 / a, 1000 / b);
 }
 
+std::string Comparison::why() const {
+  const std::string one = rates(), other = scales();
+  return one + (one.empty() || other.empty() ? "" : " ") + other;
+}
+
 std::string Comparison::scales() const {
   constexpr int Moved = 200, Differ = 8;  // of 2048
   const auto &[a, b] = _lines;

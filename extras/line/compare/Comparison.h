@@ -73,6 +73,7 @@ class Comparison {
   // that scale the sticks differently the first channel with other ends, if hardly any frames are alike.
   std::string rates() const;
   std::string scales() const;
+  std::string why() const;  // both
 
  private:
   struct Span {

@@ -79,8 +79,6 @@ std::string json(const std::vector<line::LostSpan> &spans) {
 std::string json(const Comparing &found, const line::Comparison::Counts &counts) {
   const line::Delays &delays = counts.delays;
   const line::Comparison &comparison = found.comparison;
-  const std::string rates = comparison.rates(), scales = comparison.scales();
-  const std::string why = rates + (rates.empty() || scales.empty() ? "" : " ") + scales;
   return "{" + pair("frames", counts.frames) + pair("alone", counts.alone) + pair("lost", counts.lost) +
          pair("spans", counts.spans) + pair("late", counts.late) + "\"longest\":[" + json(counts.longest[0]) + "," +
          json(counts.longest[1]) + "]," +
@@ -90,7 +88,7 @@ std::string json(const Comparing &found, const line::Comparison::Counts &counts)
              "\"ends\":\"%s\",\"areDelaysLate\":%s}",
              counts.same, counts.different, delays.count(), static_cast<long long>(delays.medianUs()),
              static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()), delays.driftPpm(),
-             delays.at(0), static_cast<long long>(found.laterUs), comparison.aligner().evidence().c_str(), why.c_str(),
+             delays.at(0), static_cast<long long>(found.laterUs), comparison.aligner().evidence().c_str(), comparison.why().c_str(),
              counts.areDelaysLate ? "true" : "false");
 }
 
