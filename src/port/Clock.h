@@ -5,7 +5,6 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#include "../sbus/Barrier.h"
 #include "../sbus/Link.h"
 #include "Core.h"
 #if defined(SERIAL_SBUS)
@@ -23,7 +22,7 @@ class Clock {
  public:
   // Starts now. The object must live until stop().
   void start() {
-    _hasSlept = false;
+    _sleeps.reset();
     tell(sleeps);
   }
   void stop() { tell(nullptr); }
@@ -31,7 +30,7 @@ class Clock {
   // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
   // the frame before: SleepClock::hasSlept(). `time` is earlier than micros(), so it is asked for first.
   bool took(uint32_t time) {
-    if (!_hasSlept) {
+    if (!_sleeps.hasEverSlept()) {
       return false;
     }
     const uint32_t ms = millis();
@@ -42,7 +41,7 @@ class Clock {
 
   // Returns the age, us, of a frame with this frameTime(): the newest, or one that came near it.
   uint32_t ageOf(uint32_t time) const {
-    if (!_hasSlept) {
+    if (!_sleeps.hasEverSlept()) {
       return micros() - time;
     }
     const uint32_t ms = millis();
@@ -64,20 +63,14 @@ class Clock {
 #endif
   }
 
-  // Called by the core, in loop()'s context. Until then both clocks have run alike.
+  // Called by the core, in loop()'s context.
   static void sleeps(void *object, uint32_t) {
-    Clock &clock = *static_cast<Clock *>(object);
-    if (!clock._hasSlept) {
-      const uint32_t ms = millis();
-      clock._sleeps.frame(micros(), ms);
-      barrier();
-      clock._hasSlept = true;
-    }
+    const uint32_t ms = millis();
+    static_cast<Clock *>(object)->_sleeps.beforeSleep(micros(), ms);
   }
 
   stm32l0_system_notify_t _notice;
   SleepClock _sleeps;
-  volatile bool _hasSlept = false;
 };
 
 #else

@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "Barrier.h"
+
 namespace sbus {
 
 /// Corrects the age of a frame by millis(). Times are in us, as micros() shows them, and wrap after 71 minutes; `ms` is
@@ -12,10 +14,24 @@ namespace sbus {
 /// The context that reads the port calls frame(), which may interrupt age(): then call age() again.
 class SleepClock {
  public:
-  /// Takes the newest frame, with its FrameFinder::frameTime(), at the moment when it is complete; and a time before
-  /// which micros() has never stood still.
+  /// The board has never slept.
+  void reset() { _ms = Never; }
+
+  /// The board is about to sleep: until now both clocks have run alike, or since the newest frame.
+  void beforeSleep(uint32_t now, uint32_t ms) {
+    if (!hasEverSlept()) {
+      frame(now, ms == Never ? ms - 1 : ms);
+    }
+  }
+
+  /// Returns true if the methods below matter: call none of them before.
+  bool hasEverSlept() const { return _ms != Never; }
+
+  /// Takes the newest frame, with its FrameFinder::frameTime(), at the moment when it is complete. (If `ms` is Never,
+  /// the next sleep begins anew.)
   void frame(uint32_t time, uint32_t ms) {
     _time = time;
+    barrier();
     _ms = ms;
   }
 
@@ -41,6 +57,7 @@ class SleepClock {
   }
 
  private:
+  static constexpr uint32_t Never = UINT32_MAX;                // ms, once in 49 days
   static constexpr uint32_t Sleep = 50000;                     // us: longer than any frame period
   static constexpr uint32_t Behind = 1 << 26;                  // us: 1 % of a wrap and more, by which millis() is slow
   static constexpr uint32_t Ticks = 2;                         // ms: in no time at all millis() may gain 1.5 ms

@@ -128,6 +128,26 @@ TEST_CASE("after a deep sleep the first read says failsafe; ages grow from sleep
   }
 }
 
+TEST_CASE("a sleep or a frame in any millisecond before millis() wraps: after a deep sleep the age is right") {
+  for (const bool hasSlept : {false, true}) {
+    for (uint64_t beforeUs = 0; beforeUs < 250 * Ms; beforeUs += 300) {
+      INFO("hasSlept ", hasSlept, ", beforeUs ", beforeUs);
+      fakeMicros = MillisWrap - beforeUs;
+      Sleeper board;
+      if (hasSlept) {
+        fakeDeepSleep(60 * Ms);
+        board.fly(5);
+      }
+      const uint64_t cutUs = fakeMicros - Sleeper::PeriodUs + 25 * 120;
+      fakeDeepSleep(5 * Second);
+      const uint64_t age = board.sbus.frameAge() * Ms;
+      REQUIRE(age + 7 * Ms >= fakeMicros - cutUs);
+      REQUIRE(age <= fakeMicros - cutUs + 7 * Ms);
+      checkStale(board.sbus, true);
+    }
+  }
+}
+
 TEST_CASE("the first frame after 50 ms of sleep may be of before it, or of two: it is stale, and the second is good") {
   for (const uint64_t sleepUs : {60 * Ms, 100 * Ms, 1 * Second, 5 * Second, 40 * 60 * Second}) {
     for (size_t count = 0; count < 25; count++) {
