@@ -97,15 +97,12 @@ tar cf - --exclude=./build --exclude=./.git . | tar xof - -C "$copy"
 ln -s "$BUILD/sanitized/sketches" "$copy/build/host"
 ln -s "$BUILD/tool" "$copy/build/sbus"
 ln -s "$BUILD/scope" "$copy/build/scope"
-sanitized=$(make -s -f - -C extras/setup <<'END'
-include flags.mk
-all: ; @echo -g -O1 $(SANITIZE)
-END
-)
+sanitized=$(make -s -C test -f build.mk VARIANT=sanitized OUT="$BUILD/sanitized" settings \
+  --eval="settings: ; @echo \"CXX='\$(CXX)' CXXFLAGS='\$(FLAGS)'\"")
 cat >"$copy/bin/make" <<END
 #!/bin/sh
 case " \$* " in
-  *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/sanitized/sketches' CXXFLAGS='$sanitized' ;;
+  *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/sanitized/sketches' $sanitized ;;
   *" sbus "* | *" install "*) set -- "\$@" BUILD='$BUILD/tool' CXXFLAGS='$(sed -n 's/^flags="\(.*\)".*/\1/p' test/tool/run.sh)' ;;
   *" scope "*) set -- "\$@" BUILD='$BUILD/scope' ;;
   *) set -- "\$@" BUILD='$BUILD' ;;

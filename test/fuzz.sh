@@ -14,7 +14,7 @@ seed="${SEED:-$(($(date +%s) / 86400))}"
 most=3000000 # runs: enough for ten seconds of a quick machine
 
 build() {
-  "${MAKE:-make}" --no-print-directory -f build.mk OUT="$BUILD/clang" "$@"
+  "${MAKE:-make}" --no-print-directory -f build.mk OUT="$BUILD/sanitized" "$@"
 }
 
 build -k fuzz

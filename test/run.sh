@@ -22,15 +22,14 @@ all  scope            the page in a browser
 all  lines-5000       impaired lines against their bounds
 all  bench            what the library costs
 test unit-plain       unit tests
-all  unit-sanitized   unit tests, g++ with sanitizers
-all  unit-clang       unit tests, clang++ -O2
+all  unit-sanitized   unit tests, clang++ -O2 with sanitizers
 all  boards-cortex-m0 Cortex-M0: unit tests
 all  boards-avr       Arduino Mega, Leonardo, Uno: examples
 all  tool             sbus: what it prints, records and rejects
 all  fuzz             libFuzzer
 all  boards-cores     other cores: library and examples on stand-ins
 test examples-plain   examples
-all  examples-sanitized examples, g++ with sanitizers
+all  examples-sanitized examples, clang++ with sanitizers
 all  sketches-sanitized sketches in the style of forums
 test lines-300        impaired lines against their bounds
 all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
