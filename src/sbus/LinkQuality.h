@@ -23,13 +23,15 @@ namespace sbus {
 class LinkQuality {
  public:
   /// Returns the link quality at `now`, us, 0..100; 0 before the first frame and while the link is stale. Call it every
-  /// 250 ms or more often, from one context. In the first second after the link came back, and if the last call is more
-  /// than a second ago, it knows no rate, and returns the percentage of the received frames that were not lost.
+  /// 250 ms or more often, from one context: if less often, it measures over four calls instead of a second. In the
+  /// first second after the link came back it knows no rate, and returns the percentage of the received frames that
+  /// were not lost. If the last call is more than 2 s ago, it returns 100 or 0, by the newest frame.
   uint8_t update(const Counters &counters, LinkState state, uint32_t now) {
     const Mark mark = {now, counters.frames, counters.lostFrames, counters.failsafeFrames};
     const Mark &oldest = _marks[_count < MarkCount ? 0 : _next];
+    const Mark &newest = _marks[(_next + MarkCount - 1) % MarkCount];
     if (state == LinkState::NeverSeen || state == LinkState::Stale || _count == 0 ||
-        now - oldest.time > uint32_t{LongestTime} * 1000 || isBelow(mark.frames, oldest.frames)) {
+        now - newest.time > LongestPause || isBelow(mark.frames, oldest.frames)) {
       _marks[0] = mark;
       _count = 1;
       _next = 1;
@@ -40,7 +42,7 @@ class LinkQuality {
     const uint32_t came = mark.frames - oldest.frames;
     const uint32_t bad = badOf(mark.lost - oldest.lost, mark.failsafe - oldest.failsafe);
     const uint32_t good = came > bad ? came - bad : 0;
-    if ((now - _marks[(_next + MarkCount - 1) % MarkCount].time) / 1000 >= MarkTime) {
+    if ((now - newest.time) / 1000 >= MarkTime) {
       if (_count == MarkCount) {
         const uint32_t rate = came * RateUnit * 1000 / ms;
         const uint32_t decayed = _rate > Decay ? _rate - Decay : 0;
@@ -71,7 +73,7 @@ class LinkQuality {
  private:
   static constexpr uint8_t MarkCount = 4;
   static constexpr uint16_t MarkTime = 250;  // ms
-  static constexpr uint16_t LongestTime = 2 * MarkCount * MarkTime;
+  static constexpr uint32_t LongestPause = 2000000;  // us
   static constexpr uint16_t RateUnit = 256;  // units of _rate in one frame a second
   static constexpr uint8_t Decay = 6;        // units in 250 ms: 0.1 frames a second, each second
 

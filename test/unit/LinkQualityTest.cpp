@@ -145,6 +145,18 @@ TEST_CASE("in the first second the quality is the share of the frames that came"
   CHECK(quality.low <= 55);
 }
 
+TEST_CASE("asked once in 1 to 2 s, the quality is the share of the frames since four calls before") {
+  for (const uint32_t loopUs : {999000u, 1000000u, 1100000u, 1900000u}) {
+    CAPTURE(loopUs);
+    Line line(9000, loopUs);
+    const auto half = [](unsigned i) { return i % 2 == 0 ? Came::Lost : Came::Good; };
+    line.run(8, half);
+    const Extent quality = line.run(60, half);
+    CHECK(quality.low >= 45);
+    CHECK(quality.high <= 51);
+  }
+}
+
 TEST_CASE("a blocked loop costs some percent, for half a minute") {
   Line line(9000, 3000);
   line.run(5, good);
