@@ -266,7 +266,7 @@ void GpsSbs01G::decode(const SlotData *slots) {
   hasFix = bits.next(1) != 0 && isPosition(latitude, longitude);
   satellites = static_cast<uint8_t>(bits.next(2));
   bits.next(1);
-  decipascals = static_cast<uint16_t>(bits.next(14));
+  decapascals = static_cast<uint16_t>(bits.next(14));
   decimetres = bits.next(16) - ZeroHeight;
   decimetresPerSecond = static_cast<int16_t>(bits.next(12) - ZeroClimb);
   hasPressure = bits.next(1) != 0;
@@ -280,7 +280,7 @@ bool GpsSbs01G::encode(SlotData *slots) const {
   bits.put(hasFix, 1);
   bits.put(satellites, 2);
   bits.put(0, 1);
-  bits.put(decipascals, 14);
+  bits.put(decapascals, 14);
   bits.put(decimetres, 16, ZeroHeight);
   bits.put(decimetresPerSecond, 12, ZeroClimb);
   bits.put(hasPressure, 1);

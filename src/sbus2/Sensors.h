@@ -123,7 +123,7 @@ struct GpsSbs01G {
   uint16_t kilometresPerHour;          ///< km/h, 0..511
   bool hasFix;                         ///< position and speed are valid
   uint8_t satellites;                  ///< coarse, 0..3
-  uint16_t decipascals;                ///< air pressure, 0.1 hPa, 0..16383
+  uint16_t decapascals;                ///< air pressure, 10 Pa (0.1 hPa), 0..16383
   int32_t decimetres;                  ///< altitude, 0.1 m, -8200..57335
   int16_t decimetresPerSecond;         ///< climb, 0.1 m/s, -1500..2595
   bool hasPressure;                    ///< pressure, altitude and climb are valid

@@ -67,7 +67,7 @@ TEST_CASE(
   CHECK(outOfRange(&GpsSbs01G::longitude, -DateLine, DateLine) == 4);
   CHECK(outOfRange(&GpsSbs01G::kilometresPerHour, 0, 511) == 2);
   CHECK(outOfRange(&GpsSbs01G::satellites, 0, 3) == 2);
-  CHECK(outOfRange(&GpsSbs01G::decipascals, 0, 16383) == 2);
+  CHECK(outOfRange(&GpsSbs01G::decapascals, 0, 16383) == 2);
   CHECK(outOfRange(&GpsSbs01G::decimetres, -8200, 57335) == 4);
   CHECK(outOfRange(&GpsSbs01G::decimetresPerSecond, -1500, 2595) == 4);
 }

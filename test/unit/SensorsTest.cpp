@@ -155,7 +155,7 @@ TEST_CASE("a GPS over Berlin: 52 31.2499 N, 13 24.5658 E, 50 km/h, 100 m, +2.5 m
   const auto real = decoded<sbus::GpsSbs01G>(  // the last three slots of a real sensor without a fix
       {{0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0x60, 0xED}, {0xF4, 0x15}, {0xE1, 0xAE}});
   CHECK(!real.hasFix);
-  CHECK(real.decipascals == 10091);
+  CHECK(real.decapascals == 10091);
   CHECK(real.decimetres == 694);
   CHECK(real.decimetresPerSecond == 0);
   CHECK(real.hasPressure);
@@ -202,7 +202,7 @@ TEST_CASE("every value in its range comes back from its slots: temperature, curr
     REQUIRE(big.kilometresPerHour == sent.kilometresPerHour);
     REQUIRE(big.hasFix == sent.hasFix);
     REQUIRE(big.satellites == sent.satellites);
-    REQUIRE(big.decipascals == sent.decipascals);
+    REQUIRE(big.decapascals == sent.decapascals);
     REQUIRE(big.decimetres == height);
     REQUIRE(big.decimetresPerSecond == sent.decimetresPerSecond);
     REQUIRE(big.hasPressure == sent.hasPressure);

@@ -101,7 +101,7 @@ Quantities sbs01g(const sbus::SlotData *data) {
     all.push_back({4, "speed", fixed(sensor.kilometresPerHour, 0), "km/h"});
   }
   if (sensor.hasPressure) {
-    all.push_back({5, "pressure", fixed(sensor.decipascals, 1), "hPa"});
+    all.push_back({5, "pressure", fixed(sensor.decapascals, 1), "hPa"});
     all.push_back({6, "altitude", fixed(sensor.decimetres, 1), "m"});
     all.push_back({7, "climb", fixed(sensor.decimetresPerSecond, 1), "m/s"});
   }
