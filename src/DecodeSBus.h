@@ -45,7 +45,7 @@ class DecodeSBusOf : protected Polling {
   template <typename Other>
   using PolledBy = DecodeSBusOf<Format, Events, Other>;  ///< the same, polled in another way: DecodeSBusBackgroundOf
   using ChannelArray = sbus::ChannelArray<uint16_t, Format::Channels>;  ///< an array or a pointer: 18 or 24 values
-  using Frame = sbus::FrameValue<Format::Channels>;                     ///< an SBusFrame, or an SBusFrame24
+  using Frame = typename Format::Value;                                 ///< SBusFrame, or SBusFrame24
 
   // ---- Open and close
 
@@ -72,15 +72,16 @@ class DecodeSBusOf : protected Polling {
   /// Opens the port as 8E2, inverted if the port can invert (otherwise the line needs an inverter), and forgets all
   /// frames and counters. Default: 100000 baud. Fast S.Bus: 200000 baud.
   ///
-  /// `config` is SERIAL_8E2 for an uninverted line, or another format of the core. If the port does not support a
-  /// setting, begin() does not report it, and no frames come: the example Diagnose finds the cause. Below 47060 baud
-  /// begin() opens nothing. It does not open a Stream other than a hardware serial port: use listen().
+  /// `config` is sbus::Uninverted, the core's SERIAL_8E2, for an uninverted line, or another format of the core. If the
+  /// port does not support a setting, begin() does not report it, and no frames come: the example Diagnose finds the
+  /// cause. Below 47060 baud begin() opens nothing. It does not open a Stream other than a hardware serial port: use
+  /// listen().
   ///
   /// On a Grasshopper begin() and listen() replace the sketch's own `Serial1.onReceive()`, and end() removes it.
   ///
   /// Without pins in the constructor an ESP32 or ESP8266 uses the core's pins. With core 1 or 2, Serial1's pins on a
   /// classic ESP32 belong to its flash (extras/docs/boards.md).
-  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig) {
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted) {
     this->stopPolling();
     _port.enter();
     _port.open(baud, config);
@@ -201,8 +202,9 @@ class DecodeSBusOf : protected Polling {
 
   // ---- Settings; begin() keeps them
 
-  /// Sets how long a frame stays valid, 1..65535 ms. Default: 100 ms. 0 disables the timeout, as in the paper.
-  void setTimeout(uint16_t ms) { _link.setTimeout(ms); }
+  /// Sets how long a frame stays valid, 1..65535 ms; more counts as 65535. Default: 100 ms. 0 disables the timeout, as
+  /// in the paper.
+  void setTimeout(unsigned long ms) { _link.setTimeout(static_cast<uint16_t>(ms < UINT16_MAX ? ms : UINT16_MAX)); }
 
   /// Sets how many lost frames in a row count as failsafe, 1..65535. Default: 100. 0 disables it.
   void setLossLimit(uint16_t frames) {
@@ -277,10 +279,15 @@ class DecodeSBusOf : protected Polling {
       const uint8_t *const frame = _finder.newest();
       Format::unpack(frame, channels);
       lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
-      failsafe = _link.isLost();
+      failsafe = _link.isLost() || (Format::ZeroMeansLost && isZero(channels));
       sbus::barrier();
     } while (number != _finder.counters().frames);
     _decoded = number;
+  }
+
+  // Returns true if CH1 to CH4 are 0: the newest frame had none, and this array has none of an earlier one.
+  static bool isZero(const uint16_t *channels) {
+    return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
   }
 
   void start(unsigned long baud) {
@@ -478,6 +485,6 @@ using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 
 /// Decodes sixteen channels and two switches, and treats a frame with 0 on CH1 to CH4 as lost: it counts in
 /// counters().lostFrames, and the sketch's array keeps its values, so the array must outlive loop(). Failsafe is true
-/// until a frame comes that is not lost. A FrSky receiver that is set to "No pulses" may send these frames, and does
-/// not always set a flag in them.
+/// until a frame comes that is not lost, and while CH1 to CH4 of the sketch's array are 0. A FrSky receiver that is set
+/// to "No pulses" may send these frames, and does not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;

@@ -28,8 +28,11 @@ class EncodeSBusOf {
   template <typename Port>
   EncodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
 
+  EncodeSBusOf(const EncodeSBusOf &) = delete;             ///< a copy would not know when the frame before was sent
+  EncodeSBusOf &operator=(const EncodeSBusOf &) = delete;  ///< not copied
+
   /// Opens the port like DecodeSBus::begin(), and sends nothing.
-  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig) {
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted) {
     _sent = false;
     _port.open(baud, config);
   }
@@ -38,9 +41,11 @@ class EncodeSBusOf {
   /// which takes up to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
   void end() { _port.close(); }
 
-  /// Sets the frame period, 0..65535 us. Default: 9000 us. A frame takes 3000 us (1500 us at 200000 baud), or 4320 us
-  /// with 24 channels. Receivers need a gap after it, so set at least 4000 us (2000 us), or 6000 us for 24 channels.
-  void setPeriod(uint16_t us) { _period = us; }
+  /// Sets the frame period, 0..65535 us; more counts as 65535. Default: 9000 us. A frame takes 3000 us (1500 us at
+  /// 200000 baud), or 4320 us with 24 channels. Receivers need a gap after it, so set at least 4000 us (2000 us), or
+  /// 6000 us for 24 channels. To pass on each frame of a receiver as it comes, set that: then the receiver sets the pace,
+  /// while with a period as long as its own half of the calls come a little too early.
+  void setPeriod(unsigned long us) { _period = static_cast<uint16_t>(us < UINT16_MAX ? us : UINT16_MAX); }
 
   /// Sends a frame if the period is over and the port takes the whole frame, and then returns true. The first call
   /// sends at once. Call it in every loop(), after begin(). Nothing else may write to the port.
@@ -80,8 +85,9 @@ class EncodeSBusOf {
   }
 
   /// Sends `frame` likewise: an SBusFrame, or an SBusFrame24 with EncodeSBus24. Until DecodeSBus::read() has returned
-  /// true, its channels are 0, below every make's low: send nothing then, because S.Bus servos ignore the flags.
-  bool write(const sbus::FrameValue<Format::Channels> &frame) {
+  /// true, its channels are 0, below every make's low: send nothing then, because S.Bus servos ignore the flags. In a
+  /// frame that you fill yourself, set both flags: they begin as true.
+  bool write(const typename Format::Value &frame) {
     return write(frame.channels, frame.failsafe, frame.lostFrame);
   }
 

@@ -100,7 +100,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   }
 
   /// Opens the port, like DecodeSBusOf::begin().
-  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted);
 
   /// Starts on a port that the sketch has opened, like DecodeSBusOf::listen().
   void listen(unsigned long baud = sbus::Baud);

@@ -12,7 +12,7 @@
 /// The arguments of the constructors of DecodeSBus and EncodeSBus: the port, and RX and TX where pins must be named,
 /// such as `Serial1, 16, 17`. To choose others, define it before this header.
 
-/// @def SBUS_PINS
+/// @def SBUS_FREE_PINS
 /// Four pins that SBUS_UART leaves free. To choose others, define it before this header.
 
 /// @def SBUS_TAKES_USB
@@ -77,27 +77,27 @@
 #error "DecodeSBus: one port cannot receive and print. Take the example Led or Servos: extras/docs/boards.md, One port"
 #endif
 
-#if !defined(SBUS_PINS)
+#if !defined(SBUS_FREE_PINS)
 #if defined(ESP8266)
-#define SBUS_PINS 4, 5, 12, 14
+#define SBUS_FREE_PINS 4, 5, 12, 14
 #elif defined(ARDUINO_NANO_ESP32)
-#define SBUS_PINS D2, D3, D4, D5
+#define SBUS_FREE_PINS D2, D3, D4, D5
 #elif defined(ARDUINO_XIAO_ESP32C3) || defined(ARDUINO_XIAO_ESP32C6) || defined(ARDUINO_XIAO_ESP32S3)
-#define SBUS_PINS D1, D2, D3, D4
+#define SBUS_FREE_PINS D1, D2, D3, D4
 #elif defined(CONFIG_IDF_TARGET_ESP32C6)
-#define SBUS_PINS 20, 21, 22, 23
+#define SBUS_FREE_PINS 20, 21, 22, 23
 #elif defined(CONFIG_IDF_TARGET_ESP32H2)
-#define SBUS_PINS 1, 4, 5, 12
+#define SBUS_FREE_PINS 1, 4, 5, 12
 #elif defined(CONFIG_IDF_TARGET_ESP32C3) || defined(CONFIG_IDF_TARGET_ESP32S2) || defined(CONFIG_IDF_TARGET_ESP32S3)
-#define SBUS_PINS 4, 5, 6, 7
+#define SBUS_FREE_PINS 4, 5, 6, 7
 #elif defined(ESP32)
-#define SBUS_PINS 18, 19, 21, 22
+#define SBUS_FREE_PINS 18, 19, 21, 22
 #elif defined(MEGATINYCORE)
-#define SBUS_PINS 0, 1, 2, 3  // 4 and 5 are RX and TX of a chip with 14 pins
+#define SBUS_FREE_PINS 0, 1, 2, 3  // 4 and 5 are RX and TX of a chip with 14 pins
 #elif defined(ADAFRUIT_FEATHER_M0) || defined(ADAFRUIT_FEATHER_M0_EXPRESS) || defined(ADAFRUIT_FEATHER_M4_EXPRESS)
-#define SBUS_PINS 5, 6, 10, 11  // a Feather has no 2 and 3
+#define SBUS_FREE_PINS 5, 6, 10, 11  // a Feather has no 2 and 3
 #else
-#define SBUS_PINS 2, 3, 4, 5
+#define SBUS_FREE_PINS 2, 3, 4, 5
 #endif
 #endif
 

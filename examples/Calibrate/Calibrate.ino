@@ -29,7 +29,7 @@ void loop() {
   if (Serial.read() <= ' ' && stateOf(calibration) == sbus::StoredState::Good) {
     guide.listen(200);
     for (uint8_t i = 0; dSBus.SBusFrameOk() && i < 4; i++) {
-      Serial.print(calibration.channels[i].toNormalised(guide.channels[i]));
+      Serial.print(calibration.channels[i].toNormalized(guide.channels[i]));
       Serial.print(i < 3 ? "," : "\r\n");
     }
     return;

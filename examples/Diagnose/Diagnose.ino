@@ -23,10 +23,10 @@ struct Setting {
 
 // The first is what dSBus.begin() opens.
 const Setting SETTINGS[] = {
-    {100000, sbus::PortConfig, "begin(100000): "},
-    {200000, sbus::PortConfig, "begin(200000): "},
-    {100000, sbus::EvenConfig, "begin(100000, sbus::EvenConfig): "},
-    {200000, sbus::EvenConfig, "begin(200000, sbus::EvenConfig): "},
+    {100000, sbus::Inverted, "begin(100000): "},
+    {200000, sbus::Inverted, "begin(200000): "},
+    {100000, sbus::Uninverted, "begin(100000, sbus::Uninverted): "},
+    {200000, sbus::Uninverted, "begin(200000, sbus::Uninverted): "},
 };
 const uint8_t SETTING_COUNT = sbus::opensBothWays(input) ? 4 : 2;
 const uint32_t TRIAL = 500;  // ms
@@ -50,7 +50,7 @@ void tryOut(const Setting &setting) {
     pulseless += isNew && !frame.failsafe && !frame.lostFrame && sbus::hasNoPulses(frame.channels);
   }
   const sbus::Counters counters = dSBus.counters();
-  diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters, pulseless, sbus::Finding::NoSignal});
+  diagnosis.add({setting.baud, setting.config == sbus::Inverted, TRIAL, counters, pulseless, sbus::Finding::NoSignal});
   Serial.print(setting.text);
   print(counters.frames, " frames, ");
   print(counters.discardedBytes, " discarded bytes\r\n");

@@ -31,7 +31,7 @@ elapsedMillis timerReport;
 
 // Thousandths of the travel of CH1..CH16; for Futaba write sbus::Futaba.
 int16_t part(uint16_t raw) {
-  return sbus::limited(sbus::toNormalised(raw, sbus::FrSky), -1000, 1000);
+  return sbus::limited(sbus::toNormalized(raw, sbus::FrSky), -1000, 1000);
 }
 
 void setup() {

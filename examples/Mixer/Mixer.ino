@@ -35,14 +35,14 @@ void loop() {
     return;  // no frame yet
   }
   dSBus.decodeSBusFrame(in, failsafe, lostFrame);  // on a stale link `in` stays, and both flags are set
-  const int16_t aileron = sbus::toNormalised(in[0], sbus::FrSky);
-  const int16_t elevator = sbus::toNormalised(in[1], sbus::FrSky);
+  const int16_t aileron = sbus::toNormalized(in[0], sbus::FrSky);
+  const int16_t elevator = sbus::toNormalized(in[1], sbus::FrSky);
   const int16_t elevons[] = {sbus::limited(elevator + aileron, -1000, 1000),
                              sbus::limited(elevator - aileron, -1000, 1000)};
   uint16_t out[18];
   memcpy(out, in, sizeof out);
-  out[0] = sbus::fromNormalised(elevons[0], sbus::FrSky);
-  out[1] = sbus::fromNormalised(elevons[1], sbus::FrSky);
+  out[0] = sbus::fromNormalized(elevons[0], sbus::FrSky);
+  out[1] = sbus::fromNormalized(elevons[1], sbus::FrSky);
   if (dSBus.linkState() == sbus::LinkState::Stale) {
     failsafe = lostFrame = true;  // it may have become stale since decodeSBusFrame()
     out[2] = sbus::FrSky.low;     // link lost: closes the throttle for receivers of this line that ignore the flags

@@ -31,7 +31,7 @@ EncodeSBus eSBus(SBUS_UART);  // this board's port, on most boards Serial1: extr
 #if defined(__AVR_ATmega2560__)
 const uint8_t PINS[] = {2, 3, 20, 21};
 #else
-const uint8_t PINS[] = {SBUS_PINS};  // pins with interrupts
+const uint8_t PINS[] = {SBUS_FREE_PINS};  // pins with interrupts
 #endif
 
 const uint8_t INPUTS = 4;

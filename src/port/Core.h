@@ -45,9 +45,9 @@ struct Rank<0> {};
 /// The core's SERIAL_8E2, a macro or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1: they
 /// see the second stop bit as an idle line.
 #if defined(SERIAL_8E1) && !defined(SERIAL_8E2)
-constexpr auto EvenConfig = SERIAL_8E1;
+constexpr auto Uninverted = SERIAL_8E1;
 #else
-constexpr auto EvenConfig = SERIAL_8E2;
+constexpr auto Uninverted = SERIAL_8E2;
 #endif
 
 /// Marks an inverted line in a format that has no bit for it. No core uses this bit.
@@ -55,18 +55,18 @@ constexpr uint32_t InvertedBit = 0x80000000;
 
 /// The format that begin() opens a port with: inverted, if the port can invert.
 #if defined(SERIAL_SBUS)  // STM32L0
-constexpr uint32_t PortConfig = SERIAL_SBUS;
+constexpr uint32_t Inverted = SERIAL_SBUS;
 #elif defined(SERIAL_8E2_RXINV_TXINV)  // Teensy
-constexpr uint32_t PortConfig = SERIAL_8E2_RXINV_TXINV;
+constexpr uint32_t Inverted = SERIAL_8E2_RXINV_TXINV;
 #elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy 3.2
-constexpr uint32_t PortConfig = SERIAL_8E1_RXINV_TXINV;
+constexpr uint32_t Inverted = SERIAL_8E1_RXINV_TXINV;
 #else
-constexpr uint32_t PortConfig = static_cast<uint32_t>(EvenConfig) | InvertedBit;
+constexpr uint32_t Inverted = static_cast<uint32_t>(Uninverted) | InvertedBit;
 #endif
 
 // A format that converts to the type of the core's begin(): 8, 16 or 32 bits, or an enum.
 struct Config {
-  uint32_t value;  // a format of the core, or PortConfig
+  uint32_t value;  // a format of the core, or Inverted
   // Returns true if the port must be told separately to invert the line.
   bool inverted() const { return (value & InvertedBit) != 0; }
   // Returns the core's format.

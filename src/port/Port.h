@@ -25,7 +25,7 @@ class Port : private CoreKind::Pins {
                   "This version of the core cannot choose this port's pins: extras/docs/boards.md");
   }
 
-  // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Ignores a baud rate far below S.Bus:
+  // Opens a hardware serial port. `config` is a format of the core, or Inverted. Ignores a baud rate far below S.Bus:
   // cores would divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
     flush();

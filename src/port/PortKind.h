@@ -113,7 +113,7 @@ struct Kind {
 
 // AVR, SAMD, mbed, Uno R4, Teensy, STM32L0: begin(baud, config), where the format says whether to invert.
 struct ByFormat : Kind {
-  static constexpr bool Inverts = (PortConfig & InvertedBit) == 0;
+  static constexpr bool Inverts = (Inverted & InvertedBit) == 0;
   static constexpr bool BothWays = Inverts;
   static constexpr unsigned Buffer = CoreBuffer;
   template <typename Port, typename Pins>
@@ -134,7 +134,7 @@ Format as(Format, Config config) {
 // teensy4/HardwareSerial.cpp:700). The other cores have no half duplex, or cannot do this with it:
 // extras/docs/telemetry.md.
 struct Teensy4 : ByFormat {
-  static constexpr uint32_t SingleWire = PortConfig | SERIAL_HALF_DUPLEX;
+  static constexpr uint32_t SingleWire = Inverted | SERIAL_HALF_DUPLEX;
 };
 #endif
 
@@ -169,7 +169,7 @@ struct Nrf52 : ByFormat {
 struct ByEnum : ByFormat {
   template <typename Port, typename Pins>
   static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
-    port.begin(baud, as(EvenConfig, config));
+    port.begin(baud, as(Uninverted, config));
     return Buffer;
   }
 };
@@ -264,7 +264,7 @@ auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->setRxInvert
 template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Rank<3>) -> decltype(port->begin(0, Config()), ByFormat());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
+auto kindOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->begin(0, Uninverted), ByEnum());
 template <typename Port>
 OpenAlready kindOf(Port *, Stream *, Rank<1>);
 #if defined(SBUS_TEENSY4)

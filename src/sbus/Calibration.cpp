@@ -70,8 +70,8 @@ StoredState stateOf(const Calibration &calibration) {
   return StoredState::Good;
 }
 
-int16_t CalibratedChannel::toNormalised(uint16_t raw) const {
-  return sbus::toNormalised(drawnIn(raw, *this), drawnIn(*this));
+int16_t CalibratedChannel::toNormalized(uint16_t raw) const {
+  return sbus::toNormalized(drawnIn(raw, *this), drawnIn(*this));
 }
 
 int16_t CalibratedChannel::toMicroseconds(uint16_t raw) const {

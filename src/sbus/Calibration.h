@@ -18,7 +18,7 @@ struct CalibratedChannel {
 
   /// Returns thousandths of the travel: exactly -1000, 0 and +1000 at low, centre and high; 0 within the dead zone,
   /// without a step at its edge. Values beyond low and high are not clamped: see limited().
-  int16_t toNormalised(uint16_t raw) const;
+  int16_t toNormalized(uint16_t raw) const;
 
   /// Returns a servo's pulse in us: 988, 1500 and 2012 at low, centre and high. A channel that is not calibrated gives
   /// 1500, half throttle on the throttle: ask isCalibrated(), or require the channel in Calibrator::finish().

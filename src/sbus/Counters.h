@@ -28,6 +28,8 @@ struct Counters {
   uint32_t otherSizeFrames;  ///< as many bytes between two gaps as a frame of 24 channels has (DecodeSBus24: of 16)
   uint32_t period;           ///< us, frame interval, smoothed over about eight frames; 0 before the second frame
 
+  /// @cond  For the classes of this library.
+
   /// Takes the time between two frames, us; more than two periods count as two. A negative first time is ignored: a
   /// blocked loop() has hidden when the previous frame came.
   void measure(uint32_t interval) {
@@ -48,6 +50,8 @@ struct Counters {
       failsafeFrames += (flags & FlagFailsafe) != 0;
     }
   }
+
+  /// @endcond
 };
 
 }  // namespace sbus

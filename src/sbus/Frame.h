@@ -12,6 +12,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+struct SBusFrame;
+struct SBusFrame24;
+
 /// The core: decodes frames, finds them in a stream of bytes, judges the link, scales and calibrates channels. It does
 /// not use Arduino.
 namespace sbus {
@@ -42,8 +45,8 @@ constexpr uint16_t ChannelMax = 2047;      ///< 11 bits
 // The bits of the flags byte.
 constexpr uint8_t FlagChannel17 = 0x01;  ///< the switch CH17 is on
 constexpr uint8_t FlagChannel18 = 0x02;  ///< the switch CH18 is on
-constexpr uint8_t FlagLostFrame = 0x04;  ///< see lostFrame()
-constexpr uint8_t FlagFailsafe = 0x08;   ///< see failsafe()
+constexpr uint8_t FlagLostFrame = 0x04;  ///< this radio frame did not arrive, and the channels repeat old values
+constexpr uint8_t FlagFailsafe = 0x08;   ///< the receiver has lost the link; the channels are its failsafe setting
 constexpr uint8_t FlagsUnused = 0xF0;    ///< 0 on every receiver known
 
 /// A line variant. Its end byte identifies it.
@@ -98,18 +101,6 @@ constexpr bool isFlagsByte(uint8_t byte) {
 /// Returns true if `frame` (25 bytes) has the header, flags and end byte of a frame. S.Bus has no checksum.
 constexpr bool isFrame(const uint8_t *frame) {
   return frame[0] == HeaderByte && isFlagsByte(frame[FlagsIndex]) && isEndByte(frame[EndIndex]);
-}
-
-/// Returns the lost-frame flag of `frame` (25 bytes): the radio frame did not arrive, and the channels repeat old
-/// values. It comes and goes in flight.
-constexpr bool lostFrame(const uint8_t *frame) {
-  return (frame[FlagsIndex] & FlagLostFrame) != 0;
-}
-
-/// Returns the failsafe flag of `frame` (25 bytes): the receiver has lost the link, and the channels are its failsafe
-/// setting.
-constexpr bool failsafe(const uint8_t *frame) {
-  return (frame[FlagsIndex] & FlagFailsafe) != 0;
 }
 
 /// Returns the index of the first header within `frame` (`size` bytes) that follows an end byte of `variant`, or of any
@@ -172,6 +163,7 @@ void pack24(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount24> channel
 
 /// The format of a frame of 16 channels, for templates.
 struct Frame16 {
+  using Value = ::SBusFrame;                           ///< what read() writes
   static constexpr uint8_t Size = FrameSize;           ///< bytes, the flags and the end byte last
   static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
   static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
@@ -195,6 +187,7 @@ struct Frame16 {
 
 /// The format of a frame of 24 channels.
 struct Frame24 {
+  using Value = ::SBusFrame24;                         ///< what read() writes
   static constexpr uint8_t Size = FrameSize24;         ///< bytes
   static constexpr uint8_t Channels = ChannelCount24;  ///< values that unpack() writes
   static constexpr uint8_t Variants = 1;               ///< end byte 00 only
@@ -246,12 +239,12 @@ constexpr bool isHeaderByte(uint8_t byte) {
 }
 
 /// A frame as a value, which DecodeSBus::read() writes and EncodeSBus::write() sends: `Count` channels and the flags.
-/// Until a frame has come, both flags are true.
+/// Until read() has written it both flags are true: set them to false in a frame that you fill yourself.
 template <uint8_t Count>
 struct FrameValue {
   uint16_t channels[Count] = {};  ///< CH1 is channels[0]; 0..2047
-  bool lostFrame = true;          ///< this radio frame did not arrive, and the channels repeat old values
   bool failsafe = true;           ///< the link is lost: no frames come, or the receiver is in failsafe
+  bool lostFrame = true;          ///< this radio frame did not arrive, and the channels repeat old values
   unsigned long age = ULONG_MAX;  ///< ms, when read() was called last; ULONG_MAX before the first frame
 };
 
@@ -264,4 +257,4 @@ struct SBusFrame : sbus::FrameValue<sbus::ChannelCount> {
 };
 
 /// CH1..CH24 and the flags, for DecodeSBus24 and EncodeSBus24.
-using SBusFrame24 = sbus::FrameValue<sbus::ChannelCount24>;
+struct SBusFrame24 : sbus::FrameValue<sbus::ChannelCount24> {};

@@ -54,11 +54,11 @@ uint16_t fromMicroseconds(int16_t us, const Range &range) {
   return rawOf(converted(us, Pulses, pointsOf(range)));
 }
 
-int16_t toNormalised(uint16_t raw, const Range &range) {
+int16_t toNormalized(uint16_t raw, const Range &range) {
   return narrow(converted(raw, pointsOf(range), Thousandths));
 }
 
-uint16_t fromNormalised(int16_t thousandths, const Range &range) {
+uint16_t fromNormalized(int16_t thousandths, const Range &range) {
   return rawOf(converted(thousandths, Thousandths, pointsOf(range)));
 }
 

@@ -33,15 +33,15 @@ uint16_t fromMicroseconds(int16_t us, const Range &range);
 
 /// Returns thousandths of the travel: -1000, 0 and +1000 at the three points of `range`, with straight lines between
 /// and beyond them, like toMicroseconds().
-int16_t toNormalised(uint16_t raw, const Range &range);
+int16_t toNormalized(uint16_t raw, const Range &range);
 
-/// Returns the raw value, 0..2047, for thousandths of the travel: the exact inverse of toNormalised() if no side of the
+/// Returns the raw value, 0..2047, for thousandths of the travel: the exact inverse of toNormalized() if no side of the
 /// range is longer than 1000.
-uint16_t fromNormalised(int16_t thousandths, const Range &range);
+uint16_t fromNormalized(int16_t thousandths, const Range &range);
 
-/// Returns `value` clamped to low..high: limited(toNormalised(raw, FrSky), -1000, 1000).
-constexpr int16_t limited(int16_t value, int16_t low, int16_t high) {
-  return value < low ? low : value > high ? high : value;
+/// Returns `value` clamped to low..high: limited(toNormalized(raw, FrSky), -1000, 1000).
+constexpr int16_t limited(int32_t value, int16_t low, int16_t high) {
+  return static_cast<int16_t>(value < low ? low : value > high ? high : value);
 }
 
 /// Returns the paper's scale (S. Levy): -1 at the range's low, +1 at its high, as one straight line that ignores the

@@ -10,7 +10,7 @@ DecodeSBus receiver(Serial1);
 #elif defined(USE_ENCODER)
 #include <EncodeSBus.h>
 EncodeSBus sender(Serial1);
-#elif defined(USE_NORMALISED)
+#elif defined(USE_NORMALIZED)
 #include <sbus/Scaling.h>
 #elif defined(USE_CALIBRATOR)
 #include <sbus/Calibrator.h>
@@ -54,8 +54,8 @@ void loop() {
   channels[2] = static_cast<uint16_t>(receiver.counters().resyncs);
 #elif defined(USE_ENCODER)
   flags[0] = sender.write(channels, flags[0], flags[1]);
-#elif defined(USE_NORMALISED)
-  channels[0] = static_cast<uint16_t>(sbus::toNormalised(channels[1], sbus::FrSky));
+#elif defined(USE_NORMALIZED)
+  channels[0] = static_cast<uint16_t>(sbus::toNormalized(channels[1], sbus::FrSky));
 #elif defined(USE_CALIBRATOR)
   calibrator.begin();
   calibrator.feed(channels, flags[0], flags[1]);

@@ -33,9 +33,9 @@ inline uint16_t crcOf(const uint8_t *bytes, size_t count) {
 // Returns true if scaling gives exactly -1000, 0, +1000 and 988, 1500, 2012 us at the three points.
 inline bool isExact(const sbus::CalibratedChannel &channel) {
   const sbus::Range &range = channel.range;
-  return channel.toNormalised(range.low) == -1000 && channel.toMicroseconds(range.low) == 988 &&
-         channel.toNormalised(range.centre) == 0 && channel.toMicroseconds(range.centre) == 1500 &&
-         channel.toNormalised(range.high) == 1000 && channel.toMicroseconds(range.high) == 2012;
+  return channel.toNormalized(range.low) == -1000 && channel.toMicroseconds(range.low) == 988 &&
+         channel.toNormalized(range.centre) == 0 && channel.toMicroseconds(range.centre) == 1500 &&
+         channel.toNormalized(range.high) == 1000 && channel.toMicroseconds(range.high) == 2012;
 }
 
 // Two straight lines from either end of the dead zone, in floating point, clamped as the library does: `centre` at the

@@ -168,10 +168,10 @@ TEST_CASE("all 2048 values lie within half a thousandth and half a microsecond o
       for (int raw = 0; raw < Values; raw++) {
         CAPTURE(raw);
         const auto value = static_cast<uint16_t>(raw);
-        REQUIRE(std::abs(channel.toNormalised(value) - onTheLines(raw, channel, 0, 1000)) <= 0.5);
+        REQUIRE(std::abs(channel.toNormalized(value) - onTheLines(raw, channel, 0, 1000)) <= 0.5);
         REQUIRE(std::abs(channel.toMicroseconds(value) - onTheLines(raw, channel, 1500, 512)) <= 0.5);
         const bool dead = std::abs(raw - channel.range.centre) <= channel.deadZone;
-        REQUIRE((!dead || (channel.toNormalised(value) == 0 && channel.toMicroseconds(value) == 1500)));
+        REQUIRE((!dead || (channel.toNormalized(value) == 0 && channel.toMicroseconds(value) == 1500)));
       }
     }
   }
@@ -189,7 +189,7 @@ TEST_CASE("a channel that is not calibrated is always at the centre; no channel,
   for (const CalibratedChannel &channel : odd) {
     const bool empty = channel.range.centre == 0 && channel.range.high == 0;
     for (unsigned raw = 0; raw < 0x10000; raw++) {
-      const int thousandths = channel.toNormalised(static_cast<uint16_t>(raw));
+      const int thousandths = channel.toNormalized(static_cast<uint16_t>(raw));
       const int us = channel.toMicroseconds(static_cast<uint16_t>(raw));
       if (thousandths < -32767 || us < -32767 || (empty && (thousandths != 0 || us != 1500))) {
         FAIL("channel.range.low ", channel.range.low, ", raw ", raw);

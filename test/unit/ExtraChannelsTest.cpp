@@ -228,7 +228,7 @@ TEST_CASE("decodeExtraChannels writes the newest 2F frame until the timeout, and
       FakeBoard32 board;
       board.sbus.begin();
       if (row.timeoutMs >= 0) {
-        board.sbus.setTimeout(static_cast<uint16_t>(row.timeoutMs));
+        board.sbus.setTimeout(static_cast<unsigned long>(row.timeoutMs));
       }
       CHECK(extraOf(board) == Nothing);
       receive(board, 0);  // before the variant is known

@@ -76,8 +76,7 @@ TEST_CASE("known frames are frames, have the known channels, and are written byt
     CHECK(readBitByBit(known.bytes) == known.channels);
     CHECK(unpacked(known.bytes) == known.channels);
     CHECK(sbus::isFrame(known.bytes.data()));
-    CHECK_FALSE(sbus::lostFrame(known.bytes.data()));
-    CHECK_FALSE(sbus::failsafe(known.bytes.data()));
+    CHECK((sbus::Frame16::flags(known.bytes.data()) & (sbus::FlagLostFrame | sbus::FlagFailsafe)) == 0);
     CHECK(packed(known.channels) == withByte(known.bytes, 24, 0x00));
   }
 }
@@ -113,8 +112,7 @@ TEST_CASE("flags bits 0..3 are CH17, CH18, lost frame and failsafe, both ways; h
     channels[17] = (flags & 2) != 0;
     CHECK(unpacked(frame) == channels);
     CHECK(unpacked(withByte(withByte(frame, 0, 0xFF), 24, 0xFF)) == channels);
-    CHECK(sbus::lostFrame(frame.data()) == ((flags & 4) != 0));
-    CHECK(sbus::failsafe(frame.data()) == ((flags & 8) != 0));
+    CHECK(sbus::Frame16::flags(frame.data()) == flags);
     CHECK(packed(channels, (flags & 8) != 0, (flags & 4) != 0) == frame);
   }
 }

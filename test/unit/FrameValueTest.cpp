@@ -154,6 +154,22 @@ TEST_CASE("DecodeSBusNoPulses says failsafe until a frame with channels has come
   }
 }
 
+TEST_CASE("DecodeSBusNoPulses says failsafe while CH1 to CH4 of the sketch's own frame are 0: it has kept none") {
+  FakeBoardOf<DecodeSBusNoPulses, sbus::Frame16NoPulses> board;
+  board.sbus.begin();
+  board.firstFrame(PaperHigh.bytes);
+  SBusFrame kept;
+  CHECK(board.sbus.read(kept));
+  for (int i = 0; i < 3; i++) {
+    board.nextFrame(writeBitByBit(Channels{}));
+    SBusFrame fresh;
+    CHECK(board.sbus.read(fresh));
+    check(fresh, Channels{}, true, true);
+    board.sbus.read(kept);
+    check(kept, PaperHigh.channels, false, true);
+  }
+}
+
 TEST_CASE("an encoder sends the frame that was read, byte for byte") {
   FakeSerial port;
   EncodeSBus encoder(port);

@@ -63,7 +63,7 @@ TEST_CASE("every possible calibration is good, exact at the three points, and on
       channel = anyPossible();
       RC_ASSERT(isExact(channel));
       const auto raw = *rc::gen::inRange<uint16_t>(0, 2048);
-      RC_ASSERT(std::abs(channel.toNormalised(raw) - onTheLines(raw, channel, 0, 1000)) <= 0.5);
+      RC_ASSERT(std::abs(channel.toNormalized(raw) - onTheLines(raw, channel, 0, 1000)) <= 0.5);
       RC_ASSERT(std::abs(channel.toMicroseconds(raw) - onTheLines(raw, channel, 1500, 512)) <= 0.5);
     }
     seal(calibration);
@@ -90,7 +90,7 @@ TEST_CASE("every stick that a radio may have is measured: exact at its three poi
     RC_ASSERT(found.range.centre == rest);
     RC_ASSERT(found.range.high == (backwards ? low : high));
     for (int raw = rest - jitter; raw <= rest + jitter; raw++) {
-      RC_ASSERT(found.toNormalised(static_cast<uint16_t>(raw)) == 0);
+      RC_ASSERT(found.toNormalized(static_cast<uint16_t>(raw)) == 0);
     }
   }));
 }

@@ -36,9 +36,9 @@ TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1
     for (const auto &point : points) {
       INFO(row.name, ", raw ", point.raw);
       CHECK(sbus::toMicroseconds(point.raw, row.range) == point.us);
-      CHECK(sbus::toNormalised(point.raw, row.range) == point.thousandths);
+      CHECK(sbus::toNormalized(point.raw, row.range) == point.thousandths);
       CHECK(sbus::fromMicroseconds(point.us, row.range) == point.raw);
-      CHECK(sbus::fromNormalised(point.thousandths, row.range) == point.raw);
+      CHECK(sbus::fromNormalized(point.thousandths, row.range) == point.raw);
     }
   }
 }
@@ -50,14 +50,14 @@ TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped
       CAPTURE(raw);
       const auto value = static_cast<uint16_t>(raw);
       const int16_t us = sbus::toMicroseconds(value, row.range);
-      const int16_t thousandths = sbus::toNormalised(value, row.range);
+      const int16_t thousandths = sbus::toNormalized(value, row.range);
       REQUIRE(std::abs(us - onTheLines(raw, {row.range, 0}, 1500, 512)) <= 0.5);
       REQUIRE(std::abs(thousandths - onTheLines(raw, {row.range, 0}, 0, 1000)) <= 0.5);
       if (std::abs(us) < 32767) {
         REQUIRE(std::abs(sbus::fromMicroseconds(us, row.range) - raw) <= 1);
       }
       if (std::abs(thousandths) < 32767 && row.isExact) {
-        REQUIRE(sbus::fromNormalised(thousandths, row.range) == raw);
+        REQUIRE(sbus::fromNormalized(thousandths, row.range) == raw);
       }
     }
   }
@@ -71,29 +71,31 @@ TEST_CASE("a value without a raw value of its own becomes the nearest raw value"
   for (const auto &row : rows) {
     CAPTURE(row.us);
     CHECK(sbus::fromMicroseconds(row.us, sbus::FrSky) == row.raw);
-    CHECK(sbus::fromNormalised(row.thousandths, sbus::FrSky) == row.raw);
+    CHECK(sbus::fromNormalized(row.thousandths, sbus::FrSky) == row.raw);
   }
 }
 
 TEST_CASE("a side without length is the centre, and divides nothing by 0") {
   for (const sbus::Range &range : {sbus::Range{1000, 1000, 1000}, sbus::Range{1000, 1000, 2000}}) {
     CHECK(sbus::toMicroseconds(0, range) == 1500);
-    CHECK(sbus::toNormalised(0, range) == 0);
-    CHECK(sbus::toNormalised(1000, range) == 0);
-    CHECK(sbus::fromNormalised(-1000, range) == 1000);
+    CHECK(sbus::toNormalized(0, range) == 0);
+    CHECK(sbus::toNormalized(1000, range) == 0);
+    CHECK(sbus::fromNormalized(-1000, range) == 1000);
   }
   CHECK(sbus::toUnit(5, {7, 7, 7}) == 0);
 }
 
 TEST_CASE("limited() keeps values that are within its limits, and clamps others") {
   const struct {
-    int16_t value, limited;
-  } rows[] = {{-1001, -1000}, {-1000, -1000}, {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}, {INT16_MAX, 1000}};
+    int32_t value;
+    int16_t limited;
+  } rows[] = {{INT32_MIN, -1000}, {-40000, -1000}, {40000, 1000}, {INT32_MAX, 1000}, {-1001, -1000},
+              {-1000, -1000},     {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}};
   for (const auto &row : rows) {
     CHECK(sbus::limited(row.value, -1000, 1000) == row.limited);
   }
-  CHECK(sbus::limited(sbus::toNormalised(0, sbus::FrSky), -1000, 1000) == -1000);
-  CHECK(sbus::toNormalised(0, sbus::FrSky) == -1210);  // (0 - 992) / 820: FrSky's "no pulses"
+  CHECK(sbus::limited(sbus::toNormalized(0, sbus::FrSky), -1000, 1000) == -1000);
+  CHECK(sbus::toNormalized(0, sbus::FrSky) == -1210);  // (0 - 992) / 820: FrSky's "no pulses"
 }
 
 TEST_CASE("the paper's formula: -1 at low, +1 at high, and not quite 0 at a FrSky's centre") {

@@ -159,7 +159,7 @@ FrameRules::Limit FrameRules::limitOf(const std::string &text) const {
 
 // Mirrors the value at the centre, in proportion to the lengths of the two sides, also beyond the ends.
 void FrameRules::reverse(uint16_t &raw) const {
-  raw = sbus::fromNormalised(static_cast<int16_t>(-sbus::toNormalised(raw, _range)), _range);
+  raw = sbus::fromNormalized(static_cast<int16_t>(-sbus::toNormalized(raw, _range)), _range);
 }
 
 void FrameRules::apply(uint16_t *raw) const {
@@ -186,7 +186,7 @@ void FrameRules::apply(uint16_t *raw) const {
 
 void FrameRules::train(line::Values &teacher, const line::Values &pupil) const {
   constexpr int16_t OnAbove = 500;  // +50 %: the middle of a three-position switch is off
-  if (sbus::toNormalised(teacher.raw[_switch], _range) > OnAbove) {
+  if (sbus::toNormalized(teacher.raw[_switch], _range) > OnAbove) {
     for (const size_t channel : _handedOver) {
       teacher.raw[channel] = pupil.raw[channel];
     }

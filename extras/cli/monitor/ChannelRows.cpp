@@ -20,7 +20,7 @@ constexpr int LeastBar = 10;
 
 std::string percentText(uint16_t raw, const sbus::Range &range) {
   char text[16];
-  const int thousandths = sbus::toNormalised(raw, range);
+  const int thousandths = sbus::toNormalized(raw, range);
   std::snprintf(text, sizeof text, "%+.1f", thousandths / 10.0);
   return thousandths == 0 ? "0.0" : text;
 }

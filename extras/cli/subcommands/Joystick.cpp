@@ -125,7 +125,7 @@ line::Values valuesAtRest(const Options &options, const Map &map, const ChannelR
 // Returns the controller's state for the channels of the newest frame.
 State stateOf(const line::Values &values, const Map &map, const ChannelRanges &ranges) {
   const auto part = [&](size_t channel) {
-    return sbus::limited(sbus::toNormalised(values.raw[channel], ranges[channel]), -GameController::AxisEnd,
+    return sbus::limited(sbus::toNormalized(values.raw[channel], ranges[channel]), -GameController::AxisEnd,
                          GameController::AxisEnd);
   };
   const auto isOn = [&](size_t channel) {

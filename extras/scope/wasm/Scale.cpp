@@ -40,7 +40,7 @@ EXPORT(microseconds)(unsigned channel, double raw)->int {
   return scaled.toMicroseconds(static_cast<uint16_t>(raw));
 }
 EXPORT(thousandths)(unsigned channel, double raw)->int {
-  return of(channel).toNormalised(static_cast<uint16_t>(raw));
+  return of(channel).toNormalized(static_cast<uint16_t>(raw));
 }
 
 // Reads a condition, the text in the buffer.

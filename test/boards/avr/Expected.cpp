@@ -82,7 +82,7 @@ Rule calibrated(const sbus::Calibration &calibration) {
   return [calibration](const SeenFrame &frame) {
     const sbus::CalibratedChannel *channel = calibration.channels;
     return scaled(frame.channels, isUsable(frame) ? 4 : 0,
-                  [&channel](uint16_t raw) { return (channel++)->toNormalised(raw); });
+                  [&channel](uint16_t raw) { return (channel++)->toNormalized(raw); });
   };
 }
 
@@ -100,7 +100,7 @@ Numbers mixer(const SeenFrame &frame) {
   if (frame.number == 0) {
     return {};
   }
-  Numbers row = scaled(frame.channels, 2, [](uint16_t raw) { return sbus::toNormalised(raw, sbus::FrSky); });
+  Numbers row = scaled(frame.channels, 2, [](uint16_t raw) { return sbus::toNormalized(raw, sbus::FrSky); });
   row.push_back(std::clamp(row[1] + row[0], -1000.0, 1000.0));
   row.push_back(std::clamp(row[1] - row[0], -1000.0, 1000.0));
   return row;
@@ -112,8 +112,8 @@ Numbers mixerSends(const SeenFrame &frame) {
     return {};
   }
   Channels channels = frame.channels;
-  channels[0] = sbus::fromNormalised(static_cast<int16_t>(row[2]), sbus::FrSky);
-  channels[1] = sbus::fromNormalised(static_cast<int16_t>(row[3]), sbus::FrSky);
+  channels[0] = sbus::fromNormalized(static_cast<int16_t>(row[2]), sbus::FrSky);
+  channels[1] = sbus::fromNormalized(static_cast<int16_t>(row[3]), sbus::FrSky);
   channels[2] = frame.stale ? sbus::FrSky.low : channels[2];
   Frame out = writeBitByBit(channels);
   out[23] = static_cast<uint8_t>(out[23] | (frame.lostFrame || frame.stale ? 4 : 0) |

@@ -55,7 +55,7 @@ TEST_CASE("Joystick sends each change of the sticks over a Leonardo's USB") {
     avr::Numbers numbers{0, 0, -1000, 0, 0, 0, 0, 0, 0};
     unsigned buttons = 0;
     for (size_t i = 0; i < 18 && !isLost; i++) {
-      const int part = i < 16 ? sbus::limited(sbus::toNormalised(frame.channels[i], sbus::FrSky), -1000, 1000) : 0;
+      const int part = i < 16 ? sbus::limited(sbus::toNormalized(frame.channels[i], sbus::FrSky), -1000, 1000) : 0;
       if (i < 8) {
         numbers[i] = part;
       } else {

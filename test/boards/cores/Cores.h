@@ -39,7 +39,7 @@ constexpr unsigned MostBurst = 112;
 #else
 constexpr unsigned MostBurst = 16;
 #endif
-constexpr uint32_t Uninverted = static_cast<uint32_t>(sbus::EvenConfig);
+constexpr uint32_t Uninverted = static_cast<uint32_t>(sbus::Uninverted);
 
 // Switches the board on.
 inline void switchOn() {

@@ -80,7 +80,7 @@ const Opening Openings[] = {
 #else
     {"listen(), opened uninverted",
      [](DecodeSBus &dSBus) {
-       SBUS_PORT.begin(100000, sbus::EvenConfig);
+       SBUS_PORT.begin(100000, sbus::Uninverted);
        dSBus.listen();
      },
      100000, false, true},

@@ -199,7 +199,7 @@ TEST_CASE("what is left when the port is opened again is never sent, and it send
 }
 
 TEST_CASE("each object on the port waits at open() and close() until what any of them has given has gone out") {
-  const auto opens = [](sbus::Port &port) { port.open(sbus::Baud, sbus::PortConfig); };
+  const auto opens = [](sbus::Port &port) { port.open(sbus::Baud, sbus::Inverted); };
   const auto closes = [](sbus::Port &port) { port.close(); };
   void (*const methods[])(sbus::Port &) = {opens, closes};
   for (const auto method : methods) {

@@ -12,7 +12,7 @@
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  examples that say why they cannot run on this board, and what to do
-#   OUT/CORE/SBusUart.ok   SBUS_UART and SBUS_PINS are as boards.md says
+#   OUT/CORE/SBusUart.ok   SBUS_UART and SBUS_FREE_PINS are as boards.md says
 #   OUT/stm32l0/SlotTimer.ok  the timer of an STM32L0, which no stand-in has, compiles
 #   OUT/uno/NoServo.rejected  what the compiler says to Servos without the library Servo
 #   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
@@ -72,7 +72,7 @@ xiao-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1 -DARDUI
 reason = $(strip $(if $(filter nano33 ch32v,$1),core cannot receive S.Bus,$(if $(filter esp32-p4,$1),define SBUS_UART Serial1, \
   $(if $(filter stm32-nucleo,$1),must make this board.s Serial1,$(if $(filter attiny esp8266 stm32-no-usb uno,$1), \
   $(if $(filter Led Servos,$2),,one port cannot receive and print),$(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts))))))
-# How boards.md calls it, in the row of SBUS_UART and SBUS_PINS.
+# How boards.md calls it, in the row of SBUS_UART and SBUS_FREE_PINS.
 page = $(or $($1_page),$(if $(filter esp32-%,$1),ESP32,Serial1))
 attiny_page := ATtiny 0, 1
 attiny2_page := ATtiny 2
