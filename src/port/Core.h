@@ -36,6 +36,14 @@ class HardwareSerialIMXRT;
 
 namespace sbus {
 
+// The steps in which micros() counts, us, if they are longer than a character. An nRF52's is the tick of FreeRTOS, of
+// 1/1024 s (Adafruit_nRF52_Arduino fa129c2, delay.h:60).
+#if defined(SBUS_NRF52)
+constexpr uint32_t ClockStep = 977;
+#else
+constexpr uint32_t ClockStep = 0;
+#endif
+
 // Orders overloads: of those that compile, the one with the highest number is called.
 template <int Number>
 struct Rank : Rank<Number - 1> {};

@@ -46,6 +46,9 @@ inline void switchOn() {
   const uint64_t now = world.nowUs;
   world = sim::World();
   world.nowUs = now;
+#if defined(CLOCK_HZ)
+  world.clockHz = CLOCK_HZ;
+#endif
   using Port = decltype(SBUS_PORT);
   new (&SBUS_PORT) Port();
 }

@@ -360,7 +360,8 @@ void digitalWrite(uint32_t pin, uint32_t level);
 
 uint32_t micros() {
   sim::world.pass(sim::world.tickUs);
-  return static_cast<uint32_t>(sim::world.nowUs - sim::world.stoodStillUs);
+  const uint64_t us = sim::world.nowUs - sim::world.stoodStillUs, hz = sim::world.clockHz;
+  return static_cast<uint32_t>(hz == 0 ? us : us * hz / 1000000 * 1000000 / hz);
 }
 // Of 600 MHz.
 uint32_t cycleCount() {

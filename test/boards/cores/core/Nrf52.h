@@ -10,6 +10,7 @@
 #endif
 #define NRF52_SERIES
 #define NO_EEPROM
+#define CLOCK_HZ 1024  // micros() is the tick of FreeRTOS (delay.h:60, FreeRTOSConfig.h)
 #define SERIAL_BUFFER_SIZE 64  // one place stays free
 #define SERIAL_8N1 0x00
 #define SERIAL_8E1 0x0E
