@@ -118,6 +118,14 @@ void Uart::close() {
   _open = false;
 }
 
+void Uart::cut() {
+  fault(End);
+  for (; pending() != 0; world.sent.pop_back()) {
+  }
+  _freeNs = 0;
+  _open = false;
+}
+
 // Within 2 %: beyond, the second stop bit is out of place.
 bool Uart::hears() const {
   const double ratio = static_cast<double>(_settings.baud) / static_cast<double>(world.baud);
