@@ -42,12 +42,11 @@ class Port : private CoreKind::Pins {
     _open = openSingleWire<Class>;
   }
 
-  // Closes a hardware serial port, once it has sent what it holds: the end() of some cores would cut that off (arduino-pico
-  // 387294c, SerialUART.cpp:319; ArduinoCore-samd 993398c, Uart.cpp:79; nRF52 fa129c2, Uart.cpp:163).
+  // Closes a hardware serial port, once it has sent what it holds.
   void close() {
     if (_hardware != nullptr) {
       flush();
-#if defined(SBUS_RP2040) || defined(SBUS_SAMD) || defined(SBUS_NRF52)
+#if defined(SBUS_END_CUTS)
       _hardware->flush();
 #endif
       _hardware->end();
