@@ -83,15 +83,16 @@ TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") 
 }
 
 TEST_CASE("end() lets the frame go out that write() has taken") {
+  if (!Core.takes8E2) {
+    return;
+  }
   switchOn();
   EncodeSBus eSBus(SBUS_PORT);
   eSBus.begin();
   const Channels channels = channelsOf(0);
-  CHECK(eSBus.write(channels.data(), false, false) == Core.takes8E2);
-  if (Core.takes8E2) {
-    eSBus.end();
-    checkSent(1, 0);
-  }
+  CHECK(eSBus.write(channels.data(), false, false));
+  eSBus.end();
+  checkSent(1, 0);
 }
 
 TEST_CASE("a Stream with room for less than a frame also gets whole frames") {
