@@ -298,7 +298,7 @@ class DecodeSBusOf : protected Polling {
 
   void reset(unsigned long baud) {
     const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
-    _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
+    _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters(baud));
     _link.reset();
     _link.start();
     _decoded = 0;

@@ -37,8 +37,8 @@ class EncodeSBusOf {
     _port.open(baud, config);
   }
 
-  /// Closes a hardware serial port. Call it only after begin(). The known cores first send the bytes that they hold,
-  /// which takes up to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
+  /// Closes a hardware serial port. Call it only after begin(). First the port sends the bytes that it holds, for up
+  /// to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
   void end() { _port.close(); }
 
   /// Sets the frame period, 0..65535 us; more counts as 65535. Default: 9000 us. A frame takes 3000 us (1500 us at

@@ -11,8 +11,8 @@
 #   captures  OUT/captures/Replay
 #   fuzz      OUT/fuzz/*, libFuzzer's programs, with clang's sanitizers; `make list-fuzz` names them
 #   compile   what only has to compile: OUT/alone/*.ok, each header of the core, and the lines, without Arduino or board;
-#             OUT/macros/*.o, the core after Arduino's macros; OUT/cross/*.o, the library for the board's processor (by
-#             CROSS, not CXX); and what must not, OUT/Arrays.rejected. `make list-compile` names these
+#             OUT/cross/*.o, the library for the board's processor (by CROSS, not CXX); and what must not,
+#             OUT/Arrays.rejected. `make list-compile` names these
 
 SRC := ../src
 EXTRAS := ../extras
@@ -99,7 +99,7 @@ $(OUT)/PreemptTest: $(addprefix $(OUT)/Preempt/,$(patsubst %.cpp,%.o,$(wildcard 
 # ---- What only has to compile
 
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \
-  $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o) $(OUT)/Arrays.rejected
+  $(SOURCES:%.cpp=$(OUT)/cross/%.o) $(OUT)/Arrays.rejected
 compile: $(COMPILE)
 list-compile:
 	@printf '%s\n' $(COMPILE)
@@ -115,9 +115,6 @@ $(OUT)/alone/%.ok: $(SRC)/% build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(BOARD) $(WARNINGS) $(DEPENDENCIES) -fsyntax-only -x c++ -include $< /dev/null
 	@touch $@
-$(OUT)/macros/%.o: $(SRC)/%.cpp compile/ArduinoMacros.h build.mk
-	@mkdir -p $(@D)
-	$(CXX) $(BOARD) $(WARNINGS) $(DEPENDENCIES) -include compile/ArduinoMacros.h -c $< -o $@
 
 # As a user builds, without warnings.
 $(OUT)/Arrays.rejected: compile/Arrays.cpp $(wildcard $(SRC)/*.h $(SRC)/sbus*/*.h $(SRC)/port/*.h) build.mk

@@ -82,7 +82,7 @@ class Clock {
   void start() {}
   void stop() {}
   static constexpr bool took(uint32_t) { return false; }
-  static uint32_t ageOf(uint32_t time) { return micros() - time; }
+  static uint32_t ageOf(uint32_t time) { return micros() - time + ClockStep; }
   static uint32_t now() { return micros(); }
 };
 

@@ -42,10 +42,13 @@ class Port : private CoreKind::Pins {
     _open = openSingleWire<Class>;
   }
 
-  // Closes a hardware serial port.
+  // Closes a hardware serial port, once it has sent what it holds.
   void close() {
     if (_hardware != nullptr) {
       flush();
+#if defined(SBUS_END_CUTS)
+      _hardware->flush();
+#endif
       _hardware->end();
     }
   }
@@ -75,8 +78,11 @@ class Port : private CoreKind::Pins {
   // Returns true if bytes may have been lost before the `waiting` ones.
   bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting > 2u * _half - Late; }
 
-  // Returns for how many characters the port waits for more before it hands over less than a burst.
-  uint8_t idleCharacters() const { return _idleCharacters; }
+  // Returns for how many characters the port waits for more before it hands over less than a burst, or seems to wait,
+  // as the clock counts.
+  uint8_t idleCharacters(unsigned long baud) const {
+    return static_cast<uint8_t>(_idleCharacters + (ClockStep != 0 ? ClockStep * (baud / 1000) / 12000 + 1 : 0));
+  }
 
   // Returns how many bytes the port reports it takes at once. Many cores report 0 always.
   int room() {

@@ -36,7 +36,7 @@ enum class Silence : uint8_t {
 /// Times are in us, and wrap after 71 minutes. Call all methods from the context that reads the port.
 class LineTiming {
  public:
-  /// Forgets all polls. `characterTime` in us: 120 at 100000 baud, 60 at 200000. `idleCharacters`, 0..4: how long the
+  /// Forgets all polls. `characterTime` in us: 120 at 100000 baud, 60 at 200000. `idleCharacters`, 0..21: how long the
   /// port waits for more bytes before it hands over less than a burst.
   void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters) {
     _pollBefore = now;

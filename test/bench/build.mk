@@ -14,6 +14,7 @@ TRIES ?= 200000
 # As on the Grasshopper: its M0+ has the instructions of an M0, in another order at most.
 CPU := -mcpu=cortex-m0plus -mthumb -Os
 include $(ROOT)/extras/setup/flags.mk
+include $(M0)/link.mk
 SECTIONS := -ffunction-sections -fdata-sections
 PLAIN := -std=gnu++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wno-psabi
 INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
@@ -27,8 +28,8 @@ bench: $(OUT)/Bench
 .DELETE_ON_ERROR:
 
 $(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o $(OUT)/Runtime.o \
-  $(OUT)/BoardUart.o $(OUT)/BenchClock.o $(OUT)/Print.o $(M0)/microbit.ld
-	$(CROSS:%g++=%gcc) $(CPU) -nostartfiles -specs=rdimon.specs -T $(M0)/microbit.ld -Wl,--gc-sections $(filter %.o,$^) -lm -o $@
+  $(OUT)/BoardUart.o $(OUT)/BenchClock.o $(OUT)/Print.o
+	$(CROSS:%g++=%gcc) $(CPU) $(MICROBIT) $(filter %.o,$^) -lm -o $@
 
 compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
 # What is measured is compiled as on the board, the bench itself as suits it.

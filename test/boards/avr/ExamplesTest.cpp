@@ -79,30 +79,19 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
     size_t sent = 0;
     size_t pulses = 0;
   };
+  // The recordings' values are AllChannels' on an AVR; what the others make of them is golden on the PC.
   const Run runs[] = {
       {Mega, "AllChannels", "flight", 4, 19, avr::allChannels},
       {Mega, "AllChannels", "frsky-neutral", 1.2, 1, avr::allChannels},
       {Mega, "AllChannels", "paper", 1.2, 2, avr::allChannels},
       {Mega, "AllChannels", "sbus2", 1.2, 4, avr::allChannels},
       {Mega, "DecodeSBus", "flight", 13, 64, avr::decodeSBus},  // from 9.5 s to 12.5 s the radio is off
-      {Mega, "DecodeSBus", "frsky-neutral", 1.2, 1, avr::decodeSBus},
-      {Mega, "DecodeSBus", "paper", 1.2, 2, avr::decodeSBus},
-      {Mega, "DecodeSBus", "sbus2", 1.2, 4, avr::decodeSBus},
       {Mega, "DecodeSBus", "cut", 3, 10, avr::decodeSBus},  // and no row when the line has fallen silent
       {Mega, "Mixer", "flight", 13, 64, avr::mixer, 1430},
-      {Mega, "Mixer", "frsky-neutral", 1.2, 2, avr::mixer, 35},
-      {Mega, "Mixer", "paper", 1.2, 3, avr::mixer, 57},
-      {Mega, "Mixer", "sbus2", 1.2, 5, avr::mixer, 104},
       {Mega, "Mixer", "cut", 3, 14, avr::mixer,
        330},  // goes on: after 100 ms both flags are set, the throttle is closed
       {Mega, "Normalized", "flight", 4, 19, avr::normalized},
-      {Mega, "Normalized", "frsky-neutral", 1.2, 1, avr::normalized},
-      {Mega, "Normalized", "paper", 1.2, 2, avr::normalized},
-      {Mega, "Normalized", "sbus2", 1.2, 4, avr::normalized},
       {Mega, "Servos", "flight", 13, 64, avr::servos, 0, 649},
-      {Mega, "Servos", "frsky-neutral", 1.2, 2, avr::servos, 0, 23},
-      {Mega, "Servos", "paper", 1.2, 3, avr::servos, 0, 33},
-      {Mega, "Servos", "sbus2", 1.2, 5, avr::servos, 0, 54},
       {Mega, "Servos", "cut", 3, 14, avr::servos, 0, 149},   // after 100 ms the throttle is closed, and the others hold
       {Mega, "Servos", "silent", 1, 4, avr::servos, 0, 49},  // the throttle is closed, and the others are centred
       {Leonardo, "AllChannels", "sbus2", 1.2, 4, avr::allChannels},  // rows that are longer than a packet
@@ -113,7 +102,6 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
       {Leonardo, "Servos", "flight", 4, 19, avr::servos, 0, 199},
       {Leonardo, "Servos", "silent", 1, 4, avr::servos, 0, 49},
       {Uno, "Servos", "flight", 13, 0, avr::servos, 0, 649},  // it has no port to print on
-      {Uno, "Servos", "sbus2", 1.2, 0, avr::servos, 0, 54},
       {Uno, "Servos", "cut", 3, 0, avr::servos, 0, 149},
       {Uno, "Servos", "silent", 1, 0, avr::servos, 0, 49},
   };

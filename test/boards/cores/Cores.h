@@ -46,6 +46,9 @@ inline void switchOn() {
   const uint64_t now = world.nowUs;
   world = sim::World();
   world.nowUs = now;
+#if defined(CLOCK_HZ)
+  world.clockHz = CLOCK_HZ;
+#endif
   using Port = decltype(SBUS_PORT);
   new (&SBUS_PORT) Port();
 }
@@ -81,6 +84,7 @@ struct Delivered : sim::Reader {
   DecodeSBus *asked = nullptr;
   Numbers numbers;
   unsigned wrong = 0;       // were not on the line like that, or not yet, or out of order
+  unsigned tooYoung = 0;    // polls after which the age was below the time since the newest frame's last byte
   unsigned lossyPolls = 0;  // before which the port has lost bytes
 
   void poll(DecodeSBus &dSBus) {
@@ -90,6 +94,9 @@ struct Delivered : sim::Reader {
     dSBus.parseSBusFrame();
     world.reader = nullptr;
     beforeRead();
+    if (!numbers.empty() && numbers.back() < world.line.size() / 25) {
+      tooYoung += (dSBus.frameAge() + 1) * 1000 <= world.nowUs - world.line[numbers.back() * 25 + 24].endUs;
+    }
     lossyPolls += world.dropped != before;
   }
 

@@ -105,6 +105,7 @@ TEST_CASE("every frame is delivered, in order, and nothing overflows") {
         delivered.loop(dSBus, loopUs);
         CHECK(delivered.numbers == (Hears || opening.byHand ? allOf(Frames) : Numbers{}));
         CHECK(delivered.wrong == 0);
+        CHECK(delivered.tooYoung == 0);
         CHECK(dSBus.counters().overflows == 0);
         CHECK((opening.byHand || SBUS_PORT.uart.burst() <= MostBurst));
         CHECK((world.crashes == 0) == (Core.takes8E2 || opening.byHand));

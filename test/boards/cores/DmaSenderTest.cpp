@@ -60,6 +60,12 @@ void begin(unsigned uart) {
   }
 }
 
+// The UART to which a channel is linked, or null.
+USART_TypeDef *usartOf(unsigned channel) {
+  const auto found = std::find(std::begin(Requests), std::end(Requests), requestOf(channel));
+  return found != std::end(Requests) ? &usarts[found - Requests] : nullptr;
+}
+
 // The objects of a program lie within 4 GB.
 const uint8_t *at(uint32_t address) {
   const uintptr_t near = reinterpret_cast<uintptr_t>(&dma);
@@ -107,13 +113,18 @@ void stm32l0_dma_start(uint16_t channel, uint32_t, uint32_t from, uint16_t count
     dma.left = count;
   }
   dma.enabled = true;
+  sim::usartOf(sim::indexOf(channel))->ISR &= ~USART_ISR_TC;
 }
 uint16_t stm32l0_dma_stop(uint16_t channel) {
   sim::dma.channels[sim::indexOf(channel)].enabled = false;
   return stm32l0_dma_count(channel);
 }
+// The last character goes out after it has left the memory.
 uint16_t stm32l0_dma_count(uint16_t channel) {
   if (sim::timePasses) {
+    if (sim::dma.channels[sim::indexOf(channel)].left == 0) {
+      sim::usartOf(sim::indexOf(channel))->ISR |= USART_ISR_TC;
+    }
     const std::vector<uint8_t> characters = sim::sent(1);
     sim::gone.insert(sim::gone.end(), characters.begin(), characters.end());
   }
@@ -212,6 +223,7 @@ TEST_CASE("each object on the port waits at open() and close() until what any of
     sim::timePasses = true;
     method(receiver);
     CHECK(sim::gone == Slot);
+    CHECK((USART1->ISR & USART_ISR_TC) != 0);
     CHECK(sender.write(Next.data(), Next.size()));
     method(sender);
     CHECK(sim::gone == Characters{0x03, 0xC0, 0x31, 0x83, 0x12, 0x34});

@@ -157,4 +157,11 @@ TEST_CASE("while begin() opens the port, the task of esp_timer does not wait for
   CHECK(world.locked == 0);
 }
 
+TEST_CASE("after end() the timer is not armed again") {
+  Sketch sketch;
+  sketch.sbus.end();
+  delay(5);
+  CHECK(world.alarmAtUs == +sim::World::Never);
+}
+
 #endif

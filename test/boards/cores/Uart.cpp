@@ -118,6 +118,14 @@ void Uart::close() {
   _open = false;
 }
 
+void Uart::cut() {
+  fault(End);
+  for (; pending() != 0; world.sent.pop_back()) {
+  }
+  _freeNs = 0;
+  _open = false;
+}
+
 // Within 2 %: beyond, the second stop bit is out of place.
 bool Uart::hears() const {
   const double ratio = static_cast<double>(_settings.baud) / static_cast<double>(world.baud);
@@ -360,7 +368,8 @@ void digitalWrite(uint32_t pin, uint32_t level);
 
 uint32_t micros() {
   sim::world.pass(sim::world.tickUs);
-  return static_cast<uint32_t>(sim::world.nowUs - sim::world.stoodStillUs);
+  const uint64_t us = sim::world.nowUs - sim::world.stoodStillUs, hz = sim::world.clockHz;
+  return static_cast<uint32_t>(hz == 0 ? us : us * hz / 1000000 * 1000000 / hz);
 }
 // Of 600 MHz.
 uint32_t cycleCount() {

@@ -50,6 +50,7 @@ class Uart {
   void open(const Settings &settings, bool isHalfDuplex = false);
   void change(const Settings &settings);  // of an open port, or opens it
   void close();
+  void cut();  // closes it, without waiting for what is to be sent
   void attach(int pin) { _pin = pin; }  // below 0: nothing is attached
   bool isOpen() const { return _open; }
   void crash() const;

@@ -65,6 +65,7 @@ struct World {
   int pin = CorePin;
   unsigned error = Parity;  // what is wrong with characters that are bad
   unsigned tickUs = 0;      // how long reading the clock takes
+  unsigned clockHz = 0;     // micros() counts these steps; 0: each microsecond
   unsigned lateUs = 0;      // how long an interrupt holds up the next read()
   bool looped = false;  // what was sent comes back, whatever its polarity
   unsigned portUs = 0;  // how long a method of the port takes, where a core locks it

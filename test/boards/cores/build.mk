@@ -46,7 +46,7 @@ teensy32 := Teensy32 gnu++17
 teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
-# Further boards, on which only the examples are compiled.
+# Further boards: what is compiled there differs by SBusUart.h alone, which a few examples show.
 BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb stm32l0-0.0 uno xiao-esp32
 attiny := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE -DONE_PORT
 attiny2 := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE
@@ -103,8 +103,10 @@ teensy32_usb := -DJOYSTICK_INTERFACE=3
 teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-# To them a SAMD51 is as a SAMD21, and an STM32F4 as an STM32.
-compiled = $(if $(filter samd51 stm32f4,$1),,$(foreach name,$(EXAMPLES),$(name).$(if $(call reason,$1,$(name)),rejected,ok)))
+FEW := DecodeSBus Led PwmIn Servos
+# To them a SAMD51 is as a SAMD21, an STM32F4 as an STM32, and core 3.3 of the ESP32 as 3.0.
+compiled = $(foreach name,$(if $(filter samd51 stm32f4 esp32-3.3,$1),,$(if $(filter $(BOARDS),$1),$(FEW),$(EXAMPLES))),$(name).$(if \
+  $(call reason,$1,$(name)),rejected,ok))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
   $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest $(OUT)/$(core)/ReceiveOnlyTest) \

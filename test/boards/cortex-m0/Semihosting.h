@@ -5,7 +5,6 @@
 
 enum class Semihosting : uint32_t {
   Write0 = 0x04,  // a text, to QEMU's standard error
-  GetCommandLine = 0x15,
   ExitExtended = 0x20,  // with a status
 };
 

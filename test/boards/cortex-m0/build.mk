@@ -38,12 +38,12 @@ list-unit:
 .SECONDARY:
 
 # The driver of C links no C++ library.
-link = $(CROSS:%g++=%gcc) $(CPU) -nostartfiles -specs=rdimon.specs -T $(HERE)/microbit.ld -Wl,--gc-sections \
-  $(filter %.o %.a,$^) -lm -o $@
+include $(HERE)/link.mk
+link = $(CROSS:%g++=%gcc) $(CPU) $(MICROBIT) $(filter %.o %.a,$^) -lm -o $@
 
-$(OUT)/unit/%Test: $(OUT)/unit/%Test.o $(RUNTIME) $(OUT)/board.a $(HERE)/microbit.ld
+$(OUT)/unit/%Test: $(OUT)/unit/%Test.o $(RUNTIME) $(OUT)/board.a
 	$(link)
-$(OUT)/%Read: $(OUT)/%Read.o $(OUT)/Start.o $(HERE)/microbit.ld
+$(OUT)/%Read: $(OUT)/%Read.o $(OUT)/Start.o
 	$(link)
 
 compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@

@@ -1,7 +1,7 @@
 #!/bin/sh
 # qemu.sh PROGRAM ARGUMENTS...: runs a program of this folder's start-up code on QEMU's microbit, a Cortex-M0; its
 # standard output and status are the program's. No argument may hold a space or a comma. QEMU_OPTIONS are added.
-# The memory is that of microbit.ld, more than the real board has.
+# The memory is more than the real board has; Start.cpp has its end.
 set -u
 program=$1
 shift

@@ -69,7 +69,7 @@ class HardwareSerial : public Simulated<Stream> {
 #else
   void end() {  // :400
 #endif
-    uart.close();
+    ESP32_CORE >= 3 ? uart.cut() : uart.close();  // uartEnd() detaches the pins at once
     attach(-1);
   }
 

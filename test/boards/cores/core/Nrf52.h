@@ -1,6 +1,7 @@
 // github.com/adafruit/Adafruit_nRF52_Arduino 1.7.0 (fa129c2): cores/nRF5/HardwareSerial.h, Uart.h and .cpp, main.cpp.
 // 100000 baud becomes 115200, until NRF_UARTE0->BAUDRATE is written. begin() of an open port does nothing
-// (Uart.cpp:75); end() of a closed one waits for ever (168); characters with errors are kept (200).
+// (Uart.cpp:75); end() of a closed one waits for ever, of an open one stops what is being sent (164, 168); characters
+// with errors are kept (200).
 #pragma once
 
 #include "../Stream.h"
@@ -10,6 +11,7 @@
 #endif
 #define NRF52_SERIES
 #define NO_EEPROM
+#define CLOCK_HZ 1024  // micros() is the tick of FreeRTOS (delay.h:60, FreeRTOSConfig.h)
 #define SERIAL_BUFFER_SIZE 64  // one place stays free
 #define SERIAL_8N1 0x00
 #define SERIAL_8E1 0x0E
@@ -33,7 +35,7 @@ class Uart : public Simulated<HardwareSerial> {
       uart.open({real, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), false, false});
     }
   }
-  void end() override { uart.close(); }
+  void end() override { uart.cut(); }
   int availableForWrite() override { return uart.room() == 64 ? 64 : 0; }  // one transfer at a time
   using Print::write;
   size_t write(const uint8_t *bytes, size_t size) override {

@@ -1,5 +1,6 @@
 // github.com/arduino/ArduinoCore-samd 1.8.14 (993398c): cores/arduino/Uart.h and .cpp, SERCOM.cpp, main.cpp.
-// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48). With SAMD51
+// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48), end() resets the UART
+// at once (77). With SAMD51
 // github.com/adafruit/ArduinoCore-samd 1.7.17 (26c39c0): the same (Uart.cpp:93, 101, 70) but for its buffer
 // (RingBuffer.h:32).
 #pragma once
@@ -21,7 +22,7 @@ class Uart : public Simulated<HardwareSerial> {
   Uart() : Simulated<HardwareSerial>({Holds, 1, 1, Holds, sim::End, false, sim::Framing}) {}
   void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint16_t config) override { uart.change(apiSettings(baud, config)); }
-  void end() override { uart.close(); }
+  void end() override { uart.cut(); }
   int availableForWrite() override { return uart.room(); }
   operator bool() override { return true; }
 };
