@@ -2,9 +2,11 @@
 
 import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../border';
 import type { Status } from '../line';
-import type { Bookmark, Comparison, Flight, Wire } from '../messages';
+import type { Bookmark, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { firstFrom } from '../numbers';
+import { Beside, Comparing } from './comparing';
+import type { Decoder } from './decoder';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -164,20 +166,10 @@ export class Tape {
     return this.native.calls.recordingStartUs() || undefined;
   }
 
-  // Begins a comparison of this recording, A, with another one, B.
-  compareWith({ settings, startUs }: Tape): void {
-    const laterUs = startUs !== undefined && this.startUs !== undefined ? startUs - this.startUs : 0;
-    this.native.transfer(settings, () => this.native.calls.compareWith(laterUs));
-  }
-
-  // Takes the next part of B.
-  comparePart(bytes: Uint8Array): void {
-    this.native.transfer(bytes, (count) => this.native.calls.comparePart(count));
-  }
-
-  // After the last part.
-  compared(): Comparison {
-    return JSON.parse(this.native.words(this.native.calls.comparison()));
+  // Compares it with another recording, A, up to whose end `decoder` decodes it.
+  beside({ startUs }: Tape, decoder: Decoder, endUs: number): Beside {
+    const laterUs = startUs !== undefined && this.startUs !== undefined ? this.startUs - startUs : 0;
+    return new Beside(new Comparing(this.native, laterUs), decoder, endUs, laterUs);
   }
 
   private handed(size: number): Uint8Array {
