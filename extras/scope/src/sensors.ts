@@ -36,8 +36,17 @@ export class Sensors {
   private readonly units = new Map<string, Unit>();
 
   constructor(readonly types: readonly SensorType[]) {
-    for (const [slot, name] of Object.entries(recallObject(key))) {
-      const type = types.find((each) => each.name === name);
+    this.recall();
+  }
+
+  // Takes what is stored: another tab may have stored more.
+  private recall(): void {
+    const kept = recallObject(key);
+    if (kept) {
+      this.bySlot.clear();
+    }
+    for (const [slot, name] of Object.entries(kept ?? {})) {
+      const type = this.types.find((each) => each.name === name);
       if (type && this.fits(Number(slot), type)) {
         this.bySlot.set(Number(slot), type);
       }
@@ -63,6 +72,7 @@ export class Sensors {
   // Puts a sensor into a slot; none removes it.
   choose(slot: number, name: string): void {
     const type = this.types.find((each) => each.name === name);
+    this.recall();
     this.bySlot.delete(slot);
     if (type) {
       this.bySlot.set(slot, type);

@@ -32,7 +32,7 @@ export class RecordingSource implements Source {
   }
 
   get lengthUs(): number {
-    return this.line.file.lengthUs;
+    return Math.max(this.line.file.lengthUs, 1); // a single byte may be at time 0
   }
 
   get progress(): string {
