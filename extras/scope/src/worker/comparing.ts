@@ -3,7 +3,6 @@
 import { RecordReader, TransferSize } from '../border';
 import type { Comparison } from '../messages';
 import type { Native } from '../native';
-import type { Decoder } from './decoder';
 
 const mostBytes = Math.floor(TransferSize / RecordReader.size) * RecordReader.size;
 
@@ -11,7 +10,7 @@ export class Comparing {
   // `native`: compares. `laterUs`: how much later B's time 0 is.
   constructor(
     private readonly native: Native,
-    laterUs: number,
+    readonly laterUs: number,
   ) {
     native.calls.compare(laterUs);
   }
@@ -31,39 +30,5 @@ export class Comparing {
   // Returns what was found so far, or at the end of both.
   found(atEnd = false): Comparison {
     return JSON.parse(this.native.words(this.native.calls.comparison(Number(atEnd))));
-  }
-}
-
-// Compares recordings while B is decoded: A, which may be at another place, is decoded once more, as far as B.
-export class Beside {
-  constructor(
-    private readonly comparing: Comparing,
-    private readonly a: Decoder,
-    private readonly endUs: number, // of A
-    private readonly laterUs: number,
-  ) {}
-
-  // Takes the next records of B.
-  take(records: Uint8Array): void {
-    this.comparing.take(1, records);
-  }
-
-  // B is decoded up to there. Returns false at the time `hurry`, in ms: A is not that far yet.
-  follow(us: number, hurry: number): boolean {
-    const isThere = this.toA(us + this.laterUs, hurry);
-    if (isThere) {
-      this.comparing.knownUntil(0, this.a.us);
-      this.comparing.knownUntil(1, us);
-    }
-    return isThere;
-  }
-
-  // After the last records of B. Returns undefined at the time `hurry`, in ms.
-  finish(hurry: number): Comparison | undefined {
-    return this.toA(this.endUs, hurry) ? this.comparing.found(true) : undefined;
-  }
-
-  private toA(us: number, hurry: number): boolean {
-    return us <= this.a.us || this.a.advance(Math.min(us, this.endUs), (records) => this.comparing.take(0, records), hurry);
   }
 }

@@ -5,8 +5,7 @@ import type { Status } from '../line';
 import type { Bookmark, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { firstFrom } from '../numbers';
-import { Beside, Comparing } from './comparing';
-import type { Decoder } from './decoder';
+import { Comparing } from './comparing';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -166,10 +165,9 @@ export class Tape {
     return this.native.calls.recordingStartUs() || undefined;
   }
 
-  // Compares it with another recording, A, up to whose end `decoder` decodes it.
-  beside({ startUs }: Tape, decoder: Decoder, endUs: number): Beside {
-    const laterUs = startUs !== undefined && this.startUs !== undefined ? this.startUs - startUs : 0;
-    return new Beside(new Comparing(this.native, laterUs), decoder, endUs, laterUs);
+  // Begins a comparison of another recording, A, with this one.
+  comparing({ startUs }: Tape): Comparing {
+    return new Comparing(this.native, startUs !== undefined && this.startUs !== undefined ? this.startUs - startUs : 0);
   }
 
   private handed(size: number): Uint8Array {

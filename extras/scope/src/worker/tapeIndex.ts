@@ -4,7 +4,7 @@ import { keptSeconds } from '../history';
 import type { Answer } from '../messages';
 import { firstFrom } from '../numbers';
 import { Throttle } from '../throttle';
-import type { Beside } from './comparing';
+import type { Beside } from './beside';
 import type { Decoder, Image } from './decoder';
 import { EnvelopeIndex } from './envelope';
 import { FaultIndex } from './faultIndex';

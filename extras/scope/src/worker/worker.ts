@@ -5,7 +5,7 @@ import { History } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
 import { type Answer, Fault, type Found, type Live, type Open, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
-import type { Beside } from './comparing';
+import { Beside } from './beside';
 import { Decoder } from './decoder';
 import { type Out, serve } from './live';
 import { Past } from './past';
@@ -49,7 +49,7 @@ class Playing {
   ) {
     this.endUs = tape.lengthUs + 1000;
     this.player = new Decoder(module, tape);
-    this.beside = first && tape.beside(first.tape, new Decoder(module, first.tape), first.endUs);
+    this.beside = first && new Beside(tape.comparing(first.tape), new Decoder(module, first.tape), first.endUs);
     this.index = this.newIndex();
   }
 
