@@ -165,7 +165,7 @@ export type Request =
   | { kind: 'cutWire'; cut: boolean }
   | { kind: 'replugged'; place: PortPlace }
   | { kind: 'resetMarks' }
-  | { kind: 'watch'; steps?: Uint8Array } // marks the events of this condition, or none
+  | { kind: 'watch'; steps?: Uint8Array } // marks the events of this condition (Flag.Event) from now on, or none
   | { kind: 'record'; on: boolean }
   | { kind: 'close' };
 
@@ -198,11 +198,13 @@ export interface Picture {
   kind: 'picture';
   id: number; // of the request
   jumped: boolean; // what came before is in it, or follows as the past
-  isPreview?: boolean; // of a place that is not decoded yet: the line before it is not known, and the picture follows
+  isPreview?: boolean; // of a place that is not decoded yet: what the status counts, and the link quality, is not known; the picture follows
   us: number;
   status: Status;
-  travel: (Pair | undefined)[]; // by channel
-  telemetry: string[]; // see Remote.telemetry()
+  travel: (Pair | undefined)[]; // by channel: the lowest and highest value
+  // The slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's readings,
+  // name, value and unit, with tabs between. Empty without telemetry.
+  telemetry: string[];
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
   faults: number; // at `us`: bits 1 << Fault

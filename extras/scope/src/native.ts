@@ -103,7 +103,7 @@ export class Native {
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
-  // See Remote.telemetry().
+  // See Picture.
   private telemetry(nowUs: number): string[] {
     return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
   }

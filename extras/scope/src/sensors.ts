@@ -24,7 +24,7 @@ const slots = 32;
 
 export const slotOf = (column: number): number => (column - History.channels) % slots;
 
-// Returns what a line's telemetry says: see Remote.telemetry().
+// Returns what a line's telemetry says: see Picture.
 export function quantitiesIn(lines: readonly string[]): Quantity[] {
   return lines.slice(1).map((line) => line.split('\t')).map(([at, name, value, unit]) => ({ column: History.channels + Number(at), name, value, unit }));
 }

@@ -1,8 +1,8 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
-import type { Sink, Status } from '../line';
-import type { Answer, Comparison, Envelope, FaultMap, Flight, Live, LiveState, Open, Opening, Picture, Problem, Request, Wire } from '../messages';
+import type { Sink } from '../line';
+import type { Answer, Comparison, Envelope, FaultMap, Flight, Live, Open, Opening, Picture, Problem, Request, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -54,7 +54,7 @@ export class Remote {
   private text = '';
   private reported?: (html: string) => void;
   private ended?: (text: string) => void;
-  private picture: Picture;
+  picture: Picture; // the newest one that was taken
 
   private constructor(
     private readonly core: Core,
@@ -145,11 +145,6 @@ export class Remote {
     this.ask({ ...request, id: this.id });
   }
 
-  // Marks the events of a condition (Flag.Event) from now on, or of none.
-  watchFor(steps?: Uint8Array): void {
-    this.ask({ kind: 'watch', steps });
-  }
-
   get isLooking(): boolean {
     return this.looking?.id === this.id;
   }
@@ -162,16 +157,6 @@ export class Remote {
     });
   }
 
-  // Of a live line: what it comes from.
-  get live(): LiveState | undefined {
-    return this.picture.live;
-  }
-
-  // The faults at the position: bits 1 << Fault.
-  get faultsHere(): number {
-    return this.picture.faults;
-  }
-
   // Hands over all that has come, and asks for what is wanted: that comes with one of the next pictures.
   advance(sink: Sink): void {
     for (const answer of this.came.splice(0)) {
@@ -180,34 +165,6 @@ export class Remote {
     if (this.answered === this.id && this.us < this.wantedUs) {
       this.ask({ kind: 'advance', id: ++this.id, us: this.wantedUs });
     }
-  }
-
-  status(): Status {
-    return this.picture.status;
-  }
-
-  // True until the line before the place that it has jumped to is decoded: what the status counts, and the link quality, is not known.
-  get isPreview(): boolean {
-    return this.picture.isPreview === true;
-  }
-
-  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's
-  // readings, name, value and unit, with tabs between. Empty without telemetry.
-  telemetry(): readonly string[] {
-    return this.picture.telemetry;
-  }
-
-  // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
-  travel(channel: number): [number, number] | undefined {
-    return this.picture.travel[channel];
-  }
-
-  resetMarks(): void {
-    this.ask({ kind: 'resetMarks' });
-  }
-
-  record(): void {
-    this.ask({ kind: 'record', on: true });
   }
 
   // Returns what was recorded since the last call.

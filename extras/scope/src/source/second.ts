@@ -41,7 +41,7 @@ export abstract class Second implements Sink {
 
   // What is wrong with its port or its decoder, or ''.
   get problem(): string {
-    const problem = this.line.failure ?? this.line.live?.problem;
+    const problem = this.line.failure ?? this.line.picture.live?.problem;
     return problem ? `${problem.text} ${problem.remedy}` : '';
   }
 

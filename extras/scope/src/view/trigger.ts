@@ -150,7 +150,7 @@ export class TriggerView {
   // Arms the trigger, or without a condition disarms it.
   private arm(steps?: Uint8Array): void {
     this.steps = steps;
-    this.source?.line.watchFor(steps);
+    this.source?.line.ask({ kind: 'watch', steps });
     this.button.setAttribute('aria-pressed', String(steps !== undefined));
     setText(this.button, steps ? 'Disarm' : 'Arm');
   }

@@ -334,6 +334,7 @@ async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
   } catch (error) {
     out.postMessage({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
   } finally {
+    out.close();
     if (isFirst) {
       close();
     }
