@@ -211,6 +211,7 @@ export interface Picture {
   found?: Found | null; // the fault at `us`; null: no further fault in that direction
   event?: number | null; // when the condition became true; null: it does not any more
   live?: LiveState; // not of a recording
+  missedUs?: number; // when the condition first became true in records that are not kept: the page was in the background
 }
 
 export type Answer =

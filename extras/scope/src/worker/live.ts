@@ -1,7 +1,7 @@
 // A live line: a simulated receiver or a port, read and decoded apart from the page's pictures. It runs in a worker; in the page
 // where a worker has no ports.
 
-import { RecordReader } from '../border';
+import { Flag, RecordReader } from '../border';
 import type { Answer, Live, LiveState, Opening, Picture, Request, Setting } from '../messages';
 import { imports, Native } from '../native';
 import { Throttle } from '../throttle';
@@ -63,6 +63,7 @@ class LiveLine {
   private readonly trials: Trials;
   private records: Uint8Array[] = [];
   private count = 0;
+  private missedUs?: number; // see Picture
   private us = 0; // the line's time
   private readonly timer?: ReturnType<typeof setInterval>;
 
@@ -136,7 +137,9 @@ class LiveLine {
       this.count += records.length / RecordReader.size;
     });
     while (this.count > mostRecords) {
-      this.count -= (this.records.shift() as Uint8Array).length / RecordReader.size;
+      const oldest = this.records.shift() as Uint8Array;
+      this.count -= oldest.length / RecordReader.size;
+      native.each(oldest, ({ flags, endUs }) => (this.missedUs ??= flags & Flag.Event ? endUs : undefined));
     }
     const status = native.status(nowUs);
     this.comparing?.knownUntil(this.side, nowUs - status.lateUs);
@@ -149,11 +152,12 @@ class LiveLine {
   private picture(id: number, us: number): Picture {
     const { title, state, problem, isUnplugged, events } = this.feed;
     const { note, round } = this.trials;
-    const records = this.records;
+    const { records, missedUs } = this;
+    this.missedUs = undefined;
     this.records = [];
     this.count = 0;
     const live: LiveState = { title, state, problem, isUnplugged, events: events && new Map(events), note, round };
-    return { kind: 'picture', id, jumped: false, ...this.native.picture(us), records, faults: 0, live };
+    return { kind: 'picture', id, jumped: false, ...this.native.picture(us), records, faults: 0, live, missedUs };
   }
 
   private answer(message: Answer, transfer: Transferable[] = []): void {
