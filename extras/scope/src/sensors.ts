@@ -74,7 +74,7 @@ export class Sensors {
     const type = this.types.find((each) => each.name === name);
     this.recall();
     this.bySlot.delete(slot);
-    if (type) {
+    if (type && this.fits(slot, type)) {
       this.bySlot.set(slot, type);
     }
     this.forget();
