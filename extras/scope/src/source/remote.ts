@@ -26,7 +26,7 @@ const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 type Opened = Extract<Answer, { kind: 'opened' }>;
 type Looked = Omit<Extract<Request, { kind: 'fault' }>, 'id'> | Omit<Extract<Request, { kind: 'event' }>, 'id'>;
 
-// A worker, a port to one, or what does its work in the page.
+// A port to a worker, or to what does its work in the page.
 interface Channel {
   postMessage(message: Request): void;
   onmessage: ((event: MessageEvent<Answer>) => void) | null;
@@ -37,6 +37,7 @@ type Progress = (part: number) => void; // 0..1
 let lines = 0;
 
 export class Remote {
+  picture: Picture; // the newest one that was taken
   wantedUs = 0; // the position to play to
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
@@ -54,7 +55,6 @@ export class Remote {
   private text = '';
   private reported?: (html: string) => void;
   private ended?: (text: string) => void;
-  picture: Picture; // the newest one that was taken
 
   private constructor(
     private readonly core: Core,
