@@ -260,7 +260,9 @@ std::vector<double> valuesOf(uint8_t which, const std::vector<Step> &steps, bool
   for (const Step &step : steps) {
     for (const double end : {step.low, step.high}) {
       const double whole = std::floor(end);
-      for (const double value : {whole - 1, whole, whole + 1, std::nextafter(end, -Infinite), end, std::nextafter(end, Infinite)}) {
+      const double around[] = {whole - 1, whole, whole + 1, end, std::nextafter(end, -Infinite),
+                               std::nextafter(end, Infinite)};
+      for (const double value : around) {
         if (step.which == which && value >= least && value <= most && (isReal || value == std::floor(value))) {
           values.push_back(value);
         }
