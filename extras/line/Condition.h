@@ -19,6 +19,8 @@ struct Moment {
   // The values; the channels come first.
   enum Which : uint8_t { ChannelsEnd = 32, Age = ChannelsEnd, Quality, State, Failsafe, NoPulses, LostFrame, Rejected, Count };
 
+  Moment() : values{} {}
+
   // Takes an observer's values. `isRejected`: the newest stretch is.
   Moment(Observer &observer, uint64_t nowUs, bool isRejected);
 

@@ -2,7 +2,7 @@
 // script that it was built with.
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { build } from 'esbuild';
+import { build } from 'esbuild-wasm';
 
 const bundle = async (entry, define = {}) => {
   const { outputFiles } = await build({

@@ -89,6 +89,18 @@ export default async function () {
     assert.equal(await page.textContent('#play'), 'Play');
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
+  await check('a second file is read once: that it is gone afterwards is no failure of either', async (page) => {
+    await playPaused(page, a);
+    const large = path.join(build, 'large.txt');
+    writeFileSync(large, Array.from({ length: 200000 }, (_, i) => recorded(9000 * (i + 1), frame(values(i)))).join(''));
+    await page.setInputFiles('#second-file', large);
+    await reads(page, '#second-title', 'B, large.txt');
+    writeFileSync(large, '');
+    await reads(page, '#second-text', /^B is .* 0 only in A and 194\d\d\d only in B/);
+    assert.match(await page.textContent('#second-link'), /^Link: /);
+    assert.doesNotMatch(await page.textContent('#verdict-text'), /failed/);
+  });
+
   await check('two rates are told: frames differ by them', async (page) => {
     const [slow, fast] = [9, 14].map((period) => Array.from({ length: Math.floor(20000 / period) }, (_, i) =>
       recorded(1000 * period * (i + 1), frame([Math.round(1000 + 600 * Math.sin((period * i) / 400)), 992]))).join(''));

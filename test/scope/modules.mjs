@@ -6,7 +6,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope');
-const { transformSync } = createRequire(path.join(build, 'npm/package.json'))('esbuild');
+const { transpile } = createRequire(path.join(build, 'npm/package.json'))('typescript');
 export const sources = path.join(here, '../../extras/scope/src');
 const written = new Set();
 
@@ -21,10 +21,10 @@ function write(name) {
   written.add(name);
   const folder = name === 'border' ? build : sources; // it is written with the WebAssembly
   const text = readFileSync(path.join(folder, `${name}.ts`), 'utf8');
-  const { code } = transformSync(text, { loader: 'ts', target: 'es2022' });
+  const code = transpile(text, { module: 'esnext', target: 'es2022' });
   const file = path.join(build, 'modules', `${name}.mjs`);
   mkdirSync(path.dirname(file), { recursive: true });
-  writeFileSync(file, code.replace(/^import wasm .*$/m, "const wasm = '';").replace(/from "(\.[\w./]+)"/g, (_, other) => {
+  writeFileSync(file, code.replace(/^import wasm .*$/m, "const wasm = '';").replace(/from '(\.[\w./]+)'/g, (_, other) => {
     write(path.join(path.dirname(name), other));
     return `from '${other}.mjs'`;
   }));

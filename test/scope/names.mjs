@@ -46,6 +46,21 @@ export default async function () {
     await reads(page, '#hidden-note', '1 channel is hidden.');
   });
 
+  await check('names that are given in two tabs are all stored', async (page) => {
+    const other = await page.context().newPage();
+    await other.goto(page.url());
+    await reads(other, '#state', 'Fine');
+    for (const [tab, channel, name] of [[page, 1, 'Flaps'], [other, 2, 'Gear'], [page, 3, 'Lights']]) {
+      await tab.bringToFront();
+      await tab.click('#names-open');
+      await tab.fill(`#names-list [aria-label="Name of CH${channel}"]`, name);
+      await tab.click('#names-close');
+    }
+    await other.reload();
+    await reads(other, '#state', 'Fine');
+    await until(async () => `${await chips(other)}`, async () => String((await chips(other)).slice(0, 4)) === 'Flaps,Gear,Lights,CH4');
+  });
+
   await check('stored names that are damaged are not used; a browser that stores nothing has names until the page is left', async (page) => {
     const all = Array.from({ length: 16 }, (_, i) => `CH${i + 1}`).join();
     for (const bad of ['nonsense', '[]', 'null', '7', '{"names":7,"hidden":7}', '{"names":{"-1":"x","32":"x","0":7,"y":"x"},"hidden":[-1,99,"0",null,0.5]}']) {

@@ -112,6 +112,22 @@ export default async function () {
     await raw(page, 3, '1811');
   });
 
+  await check('of two files that are dropped the first is played, and the page says so', async (page) => {
+    await page.evaluate((content) => {
+      const dataTransfer = new DataTransfer();
+      for (const name of ['one.txt', 'other.txt']) dataTransfer.items.add(new File([content], name));
+      dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
+    }, recorded(9000, frame([1000])));
+    await reads(page, '#title', 'Recording one.txt');
+    await reads(page, '#notice-text', 'Only one.txt is played.');
+  });
+
+  await check('a recording of one byte at its time 0 is shown', async (page) => {
+    await playToEnd(page, 'byte.txt', '0 55\n');
+    await reads(page, '#fault-counts li:first-child', 'whole recording: no faults');
+    await reads(page, '#position-text', '0:00.0 / 0:00.0');
+  });
+
   await check('the time line goes to any place and back, at another speed, and repeats', async (page) => {
     await playToEnd(page, path.join(recordings, 'sbus2.txt'));
     const all = 14;

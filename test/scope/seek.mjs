@@ -81,7 +81,7 @@ export default async function () {
   const previewAt = async (page, ms) => {
     await page.evaluate(() => {
       fake.jumps = [];
-      fake.worker.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
+      fake.line.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
     });
     await seek(page, ms);
     await until('it is not decoded', () => page.evaluate(() => fake.jumps.some(({ isPreview }) => !isPreview)));
@@ -92,11 +92,11 @@ export default async function () {
   };
   const playUndecoded = async (page, undecoded) => {
     await page.evaluate(() => {
-      globalThis.Worker = class extends Worker {
-        constructor(...of) {
-          super(...of);
-          fake.worker = this;
-          this.addEventListener('message', ({ data }) => data.jumped && fake.jumps?.push(data));
+      globalThis.MessageChannel = class extends MessageChannel {
+        constructor() {
+          super();
+          fake.line = this.port1;
+          fake.line.addEventListener('message', ({ data }) => data.jumped && fake.jumps?.push(data));
         }
       };
     });

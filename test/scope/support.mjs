@@ -106,6 +106,7 @@ class Tab {
   }
 
   close() {
+    Tab.kept.delete(this.name);
     return Promise.race([this.context.close(), new Promise((resolve) => setTimeout(resolve, 5000).unref())]);
   }
 }

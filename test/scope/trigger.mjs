@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, connect, drawn, frame, opensWith, playPaused, reads, recorded, seek, until } from './support.mjs';
+import { build, check, connect, counter, drawn, frame, opensWith, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 const set = async (page, condition, { place = '0.5', mode = 'single' } = {}) => {
   if (await page.evaluate(() => document.querySelector('#trigger').hidden)) await page.click('#trigger-open');
@@ -54,6 +54,7 @@ export default async function () {
       ['ch5 > 2047', 'Character 7: a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected.', 6, 10],
       ['age > 50', 'Character 7: a time with its unit, such as 50ms or 0.05s, is expected.', 6, 8],
       ['ch33 > 1', 'Character 1: a channel from ch1 to ch32 is expected.', 0, 4],
+      ['failsafe && !failsafe', 'Character 1: a condition that can hold is expected: perhaps || instead of &&.', 0, 21],
       ['failsafe or ch5 ? 3', 'Character 17: <, <=, >, >=, = or != is expected.', 16, 17],
       ['ch5 > 1500 volt', 'Character 12: &&, || or the end is expected.', 11, 15],
     ]) {
@@ -164,5 +165,31 @@ export default async function () {
       await page.evaluate(() => (fake.value = 0));
       await reads(page, '#bars li:nth-child(1) .raw', '1000');
     }
+  });
+
+  await check('an event of more than five minutes ago, while the page was in the background, is said', async (page) => {
+    await opensWith(page, [frame([1000]), frame([1000])]);
+    await connect(page);
+    await reads(page, '#bars li:nth-child(1) .raw', '1000');
+    await set(page, 'failsafe');
+    await page.click('#trigger-arm');
+    await reads(page, '#trigger-text', 'Armed.');
+    await page.evaluate(() => {
+      const draw = requestAnimationFrame;
+      globalThis.requestAnimationFrame = (picture) => void (globalThis.shown = () => (globalThis.requestAnimationFrame = draw)(picture));
+    });
+    await until('its last picture is not drawn', () => page.evaluate(() => globalThis.shown !== undefined));
+    const before = await counter(page, 'frames');
+    await page.evaluate(([bad, good]) => {
+      fake.port.feed([...good, ...bad, ...good]);
+      const many = Array(150).fill(good).flat(); // what the port's buffer holds
+      fake.left = 230;
+      const timer = setInterval(() => fake.port.feed(many) && --fake.left === 0 && clearInterval(timer), 15);
+    }, [frame([1000], { flags: 8 }), frame([1000])]);
+    await until('not all is fed', () => page.evaluate(() => fake.left === 0));
+    await page.evaluate(() => shown());
+    await until('not all frames came', async () => (await counter(page, 'frames')) > before + 34000);
+    await reads(page, '#trigger-text', /^Event at [\d.]+ s, which the curves do not reach: the page was in the background\.$/);
+    assert.equal(await page.textContent('#trigger-arm'), 'Arm');
   });
 }

@@ -13,7 +13,17 @@ export class Channels {
   private readonly hidden = new Set<number>();
 
   constructor() {
+    this.recall();
+  }
+
+  // Takes what is stored: another tab may have stored more.
+  private recall(): void {
     const kept = recallObject(key);
+    if (!kept) {
+      return;
+    }
+    this.names.clear();
+    this.hidden.clear();
     const names = typeof kept.names === 'object' && kept.names ? kept.names : {};
     const known = (channel: unknown): boolean => Number.isInteger(channel) && Number(channel) >= 0 && Number(channel) < History.channels;
     for (const [channel, name] of Object.entries(names)) {
@@ -48,6 +58,7 @@ export class Channels {
 
   // Names a channel; '' removes its name.
   rename(channel: number, name: string): void {
+    this.recall();
     this.set(channel, name);
     this.keep();
   }
@@ -57,6 +68,7 @@ export class Channels {
   }
 
   hide(channel: number, hidden: boolean): void {
+    this.recall();
     this.hidden[hidden ? 'add' : 'delete'](channel);
     this.keep();
   }

@@ -36,7 +36,7 @@ export function verdictOf(core: Core, source: Source, status: Status, newest?: S
 }
 
 function ofLine(core: Core, source: Source, status: Status, newest?: Stretch): Verdict {
-  const { live, failure, file } = source.line;
+  const { picture: { live }, failure, file } = source.line;
   const problem = failure ?? live?.problem;
   if (problem) {
     return { ...problem, severity: 'alarm' };

@@ -144,23 +144,30 @@ export interface Live {
   beside?: number; // the line, open there, with which it is compared
 }
 
+// Asks a worker for a recording, which answers at the port that comes with it; of a capture, by this signal. The second one is compared
+// with the first.
+export interface Open {
+  kind: 'open';
+  wasm: Uint8Array;
+  file: File;
+  signal?: string;
+}
+
 export type Request =
-  | { kind: 'open'; wasm: Uint8Array; file: File; signal?: string } // a recording; of a capture, by this signal
   | { kind: 'advance'; id: number; us: number } // all characters complete by then; of a port, all that have come
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
   | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
   | { kind: 'report' } // of a recording whose flight is known
   | { kind: 'event'; id: number; us: number; steps: Uint8Array; afterUs: number } // to so much after the next one after `us`
   | { kind: 'sensors'; sensors: Uint8Array } // see Sensors.bytes; a recording is decoded from its beginning once more
-  | { kind: 'compare'; id: number; file: File } // of a recording: with another one, which can be read
   | { kind: 'wire'; fromUs: number; toUs: number; columns: number } // of a capture
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }
   | { kind: 'replugged'; place: PortPlace }
   | { kind: 'resetMarks' }
-  | { kind: 'watch'; steps?: Uint8Array } // marks the events of this condition, or none
+  | { kind: 'watch'; steps?: Uint8Array } // marks the events of this condition (Flag.Event) from now on, or none
   | { kind: 'record'; on: boolean }
-  | { kind: 'close' }; // a live line
+  | { kind: 'close' };
 
 // What a live line comes from.
 export interface LiveState {
@@ -191,18 +198,20 @@ export interface Picture {
   kind: 'picture';
   id: number; // of the request
   jumped: boolean; // what came before is in it, or follows as the past
-  isPreview?: boolean; // of a place that is not decoded yet: the line before it is not known, and the picture follows
+  isPreview?: boolean; // of a place that is not decoded yet: what the status counts, and the link quality, is not known; the picture follows
   us: number;
   status: Status;
-  travel: (Pair | undefined)[]; // by channel
-  telemetry: string[]; // see Remote.telemetry()
+  travel: (Pair | undefined)[]; // by channel: the lowest and highest value
+  // The slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's readings,
+  // name, value and unit, with tabs between. Empty without telemetry.
+  telemetry: string[];
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
   faults: number; // at `us`: bits 1 << Fault
   found?: Found | null; // the fault at `us`; null: no further fault in that direction
   event?: number | null; // when the condition became true; null: it does not any more
   live?: LiveState; // not of a recording
-  compared?: Comparison; // so far, of a line beside another one: if there is news
+  missedUs?: number; // when the condition first became true in records that are not kept: the page was in the background
 }
 
 export type Answer =
@@ -217,7 +226,7 @@ export type Answer =
   | { kind: 'faults'; map: FaultMap }
   | { kind: 'envelope'; envelope: Envelope } // once all is decoded, of a long recording
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
-  | { kind: 'compared'; id: number; comparison: Comparison }
+  | { kind: 'compared'; comparison: Comparison } // of a line beside another one; so far, if they are live
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
   | { kind: 'recording'; us: number } // it has begun: its times count from then

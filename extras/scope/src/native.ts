@@ -13,7 +13,7 @@ export const imports: WebAssembly.Imports = { wasi_snapshot_preview1: noSystem }
 export class Native {
   private readonly text = new TextDecoder();
 
-  private constructor(readonly calls: Exports) {}
+  protected constructor(readonly calls: Exports) {}
 
   // Takes an instance. `isNew`: not one whose memory is replaced.
   static of(instance: WebAssembly.Instance, isNew = true): Native {
@@ -103,7 +103,7 @@ export class Native {
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
-  // See Remote.telemetry().
+  // See Picture.
   private telemetry(nowUs: number): string[] {
     return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
   }

@@ -29,7 +29,7 @@ export class Recorder {
     this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
     this.parts = [];
     this.bytes = this.text.length;
-    line.record();
+    line.ask({ kind: 'record', on: true });
     this.awake.want(true);
   }
 

@@ -24,7 +24,7 @@ const slots = 32;
 
 export const slotOf = (column: number): number => (column - History.channels) % slots;
 
-// Returns what a line's telemetry says: see Remote.telemetry().
+// Returns what a line's telemetry says: see Picture.
 export function quantitiesIn(lines: readonly string[]): Quantity[] {
   return lines.slice(1).map((line) => line.split('\t')).map(([at, name, value, unit]) => ({ column: History.channels + Number(at), name, value, unit }));
 }
@@ -36,8 +36,17 @@ export class Sensors {
   private readonly units = new Map<string, Unit>();
 
   constructor(readonly types: readonly SensorType[]) {
-    for (const [slot, name] of Object.entries(recallObject(key))) {
-      const type = types.find((each) => each.name === name);
+    this.recall();
+  }
+
+  // Takes what is stored: another tab may have stored more.
+  private recall(): void {
+    const kept = recallObject(key);
+    if (kept) {
+      this.bySlot.clear();
+    }
+    for (const [slot, name] of Object.entries(kept ?? {})) {
+      const type = this.types.find((each) => each.name === name);
       if (type && this.fits(Number(slot), type)) {
         this.bySlot.set(Number(slot), type);
       }
@@ -63,8 +72,9 @@ export class Sensors {
   // Puts a sensor into a slot; none removes it.
   choose(slot: number, name: string): void {
     const type = this.types.find((each) => each.name === name);
+    this.recall();
     this.bySlot.delete(slot);
-    if (type) {
+    if (type && this.fits(slot, type)) {
       this.bySlot.set(slot, type);
     }
     this.forget();

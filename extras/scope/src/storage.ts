@@ -9,10 +9,10 @@ export function keep(key: string, value?: string): void {
   attempt(() => (value === undefined ? localStorage.removeItem(`sbus-scope-${key}`) : localStorage.setItem(`sbus-scope-${key}`, value)));
 }
 
-// Returns the object that is kept as JSON; {} if it is damaged or no object.
-export function recallObject(key: string): Record<string, unknown> {
+// Returns the object that is kept as JSON; undefined if there is none, or it is damaged.
+export function recallObject(key: string): Record<string, unknown> | undefined {
   const value: unknown = attempt(() => JSON.parse(recall(key) ?? ''));
-  return typeof value === 'object' && value !== null ? (value as Record<string, unknown>) : {};
+  return typeof value === 'object' && value !== null ? (value as Record<string, unknown>) : undefined;
 }
 
 function attempt<T>(act: () => T): T | undefined {

@@ -234,6 +234,11 @@ EXPORT(recordingZeroUs)()->double {
   return static_cast<double>(tape.zeroUs);
 }
 
+// Returns when time 0 of the recording was, in us since 1970; 0 if it does not say so.
+EXPORT(recordingStartUs)()->double {
+  return static_cast<double>(theTape.startUs.value_or(0));
+}
+
 // Returns what carries the line in a capture, or "".
 EXPORT(carrier)()->const char * {
   words = "";

@@ -46,16 +46,16 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
   const names = new NamesView(channels);
   const counters = new CountersView();
   const statistics = new StatisticsView(history);
-  byId('reset-marks').addEventListener('click', () => choice.current?.line.resetMarks());
+  byId('reset-marks').addEventListener('click', () => choice.current?.line.ask({ kind: 'resetMarks' }));
 
   const views: Room['views'] = {
-    'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.live?.note ?? ''),
-    'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.isPreview),
+    'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.picture.live?.note ?? ''),
+    'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.picture.isPreview),
     'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the names': () => names.draw(newest?.channels.length || 16),
-    'The view of the counters': ({ source, status }) => counters.draw(status, source.line.live?.events, source.line.isPreview),
-    'The view of the telemetry': ({ source }) => telemetry.draw(source.line.telemetry()),
+    'The view of the counters': ({ source }) => counters.draw(source.line.picture),
+    'The view of the telemetry': ({ source }) => telemetry.draw(source.line.picture.telemetry),
     'The view of the curves': ({ source, nowUs, status, unit }) => curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
     'The trigger': ({ nowUs }) => trigger.draw(nowUs),
     'The view of the intervals': ({ nowUs }) => statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
@@ -135,7 +135,7 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
       const unit = units.of(newest, source.line.envelope);
       byId('rows').hidden = newest?.kind !== Kind.Row;
       byId('scaling').hidden = !unit.raw;
-      return { source, nowUs, status: source.line.status(), newest, unit };
+      return { source, nowUs, status: source.line.picture.status, newest, unit };
     },
   };
 }

@@ -67,7 +67,7 @@ function onDrop(take: (file: File) => Promise<void>, notice: NoticeView): void {
   addEventListener('drop', (event) => {
     curtain.hidden = true;
     const [item] = event.dataTransfer?.items ?? [];
-    const [file] = event.dataTransfer?.files ?? [];
+    const [file, other] = event.dataTransfer?.files ?? [];
     if (file) {
       event.preventDefault();
     }
@@ -75,6 +75,9 @@ function onDrop(take: (file: File) => Promise<void>, notice: NoticeView): void {
       notice.show({ text: `${file.name} is a folder.`, remedy: 'Drop a recording or a capture that is in it.' });
     } else if (file) {
       void take(file);
+      if (other) {
+        notice.show({ text: `Only ${file.name} is played.`, remedy: 'Drop one file at a time. Compare… shows a second recording beside the first.' });
+      }
     }
   });
 }

@@ -22,7 +22,7 @@ export class PortSource implements Source {
   }
 
   get title(): string {
-    return this.line.live?.title ?? '';
+    return this.line.picture.live?.title ?? '';
   }
 
   get device(): string {
@@ -30,12 +30,12 @@ export class PortSource implements Source {
   }
 
   get state(): State {
-    return this.line.live?.state ?? 'opening';
+    return this.line.picture.live?.state ?? 'opening';
   }
 
   // Returns true for this device, or for a like one once it was unplugged: plugged in again it is another SerialPort.
   has(port: SerialPort): boolean {
-    return port === this.port || (idsOf(port.getInfo()) === idsOf(this.port.getInfo()) && (this.line.live?.events?.has('unplugged') ?? false));
+    return port === this.port || (idsOf(port.getInfo()) === idsOf(this.port.getInfo()) && (this.line.picture.live?.events?.has('unplugged') ?? false));
   }
 
   nowUs(): number {
@@ -44,7 +44,7 @@ export class PortSource implements Source {
   }
 
   get isUnplugged(): boolean {
-    return this.line.live?.isUnplugged ?? false;
+    return this.line.picture.live?.isUnplugged ?? false;
   }
 
   // Goes on with a device that is plugged in again, as `port`, of which the browser has not told.

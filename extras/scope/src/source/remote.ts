@@ -1,8 +1,8 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
-import type { Sink, Status } from '../line';
-import type { Answer, Comparison, Envelope, FaultMap, Flight, Live, LiveState, Opening, Picture, Problem, Request, Wire } from '../messages';
+import type { Sink } from '../line';
+import type { Answer, Comparison, Envelope, FaultMap, Flight, Live, Open, Opening, Picture, Problem, Request, Wire } from '../messages';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -26,22 +26,24 @@ const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 type Opened = Extract<Answer, { kind: 'opened' }>;
 type Looked = Omit<Extract<Request, { kind: 'fault' }>, 'id'> | Omit<Extract<Request, { kind: 'event' }>, 'id'>;
 
-// A worker, a port to one, or what does its work in the page.
+// A port to a worker, or to what does its work in the page.
 interface Channel {
   postMessage(message: Request): void;
   onmessage: ((event: MessageEvent<Answer>) => void) | null;
 }
 
+type Progress = (part: number) => void; // 0..1
+
 let lines = 0;
 
 export class Remote {
+  picture: Picture; // the newest one that was taken
   wantedUs = 0; // the position to play to
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
   envelope?: Envelope; // of a long one
-  compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison of recordings
-  comparedSoFar?: Comparison; // of a live line with the one beside it
+  compared?: Comparison; // with the line beside which it is; so far, if they are live
   wire?: Wire; // the part that was asked for last
   recordingUs = 0; // the line's time from which the newest recording counts
   failure?: Problem;
@@ -53,39 +55,41 @@ export class Remote {
   private text = '';
   private reported?: (html: string) => void;
   private ended?: (text: string) => void;
-  private picture: Picture;
 
   private constructor(
     private readonly core: Core,
     private readonly channel: Channel,
-    private readonly end: () => void,
     readonly file: Opened,
-    readonly liveId = 0,
+    private readonly thread?: Thread, // none: it is decoded in the page
+    private readonly liveId = 0,
   ) {
     this.picture = file.picture;
+    channel.onmessage = ({ data }): void => this.hear(data);
+    void thread?.broken.then(() => this.fail());
   }
 
-  // Reads the file; of a capture, the signal `wire`. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
-  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void, wire?: string): Promise<Remote> {
+  // Reads the file; of a capture, the signal `wire`; `beside`: the recording with which it is compared. Throws an Error that says what is
+  // wrong with it, a Problem if there is no worker, or the reason of `signal`.
+  static async read(
+    core: Core,
+    { file, wire, beside }: { file: File; wire?: string; beside?: Remote },
+    signal: AbortSignal,
+    progress?: Progress,
+  ): Promise<Remote> {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e9} GB: sbus summary and sbus csv can read it`);
     }
-    const worker = makeWorker();
+    const thread = beside?.thread ?? new Thread();
+    const channel = thread.ask({ kind: 'open', wasm: core.wasm, file, signal: wire });
     try {
-      const broken = new Promise<never>((_, reject) => {
-        signal.addEventListener('abort', () => reject(signal.reason));
-        worker.onerror = (): void => reject(noWorker);
-      });
-      worker.postMessage({ kind: 'open', wasm: core.wasm, file, signal: wire } satisfies Request);
-      const opened = (await Promise.race([broken, firstAnswer(worker, progress)])) as Opened;
-      const remote = new Remote(core, worker, () => worker.terminate(), opened).listening();
-      worker.onerror = (event): void => {
-        event.preventDefault(); // the page says it
-        remote.fail();
-      };
+      const aborted = new Promise<never>((_, reject) => signal.addEventListener('abort', () => reject(signal.reason)));
+      const remote = await Promise.race([aborted, Remote.opened(core, channel, progress, thread)]);
+      if (!remote) {
+        throw noWorker;
+      }
       return remote;
     } catch (error) {
-      worker.terminate();
+      channel.postMessage({ kind: 'close' });
       throw error;
     }
   }
@@ -94,15 +98,12 @@ export class Remote {
   // with which it is compared. Throws the reason of `signal`, or a Problem.
   static async live(core: Core, opening: Opening, signal: AbortSignal, port?: SerialPort, beside?: Remote): Promise<Remote> {
     const request: Live = { kind: 'live', wasm: core.wasm, opening, id: ++lines, beside: beside?.liveId };
-    const worker = LiveWorker.get();
-    const { port1, port2 } = new MessageChannel();
-    worker?.worker.postMessage(request, [port2]);
-    let remote = worker && (await Remote.opened(core, port1, request.id, worker.broken));
-    void worker?.broken.then(remote && (() => remote?.fail()));
+    const thread = Thread.ofLiveLines;
+    let remote = thread && (await Remote.opened(core, thread.ask(request), undefined, thread, request.id));
     if (!remote) {
       const [channel, out] = channelInPage();
       void serve(request, out, async (place) => (await findPort(place)) ?? port);
-      remote = await Remote.opened(core, channel, request.id);
+      remote = await Remote.opened(core, channel, undefined, undefined, request.id);
     }
     if (!remote) {
       throw notBeside;
@@ -115,10 +116,9 @@ export class Remote {
   }
 
   // Returns undefined if the line cannot be opened there.
-  private static async opened(core: Core, channel: Channel, id: number, ...broken: Promise<void>[]): Promise<Remote | undefined> {
-    const opened = await Promise.race([firstAnswer(channel), ...broken]);
-    const end = (): void => channel.postMessage({ kind: 'close' }); // the worker goes on: it may have other lines
-    return opened ? new Remote(core, channel, end, opened, id).listening() : undefined;
+  private static async opened(core: Core, channel: Channel, progress?: Progress, thread?: Thread, id?: number): Promise<Remote | undefined> {
+    const opened = await Promise.race([firstAnswer(channel, progress), ...(thread ? [thread.broken] : [])]);
+    return opened && new Remote(core, channel, opened, thread, id);
   }
 
   // What decodes the line has failed: nothing comes any more.
@@ -126,11 +126,6 @@ export class Remote {
     this.failure = failed;
     this.ended?.(this.takeRecorded());
     this.ended = undefined;
-  }
-
-  private listening(): Remote {
-    this.channel.onmessage = ({ data }): void => this.hear(data);
-    return this;
   }
 
   // The line's time.
@@ -150,11 +145,6 @@ export class Remote {
     this.ask({ ...request, id: this.id });
   }
 
-  // Marks the events of a condition (Flag.Event) from now on, or of none.
-  watchFor(steps?: Uint8Array): void {
-    this.ask({ kind: 'watch', steps });
-  }
-
   get isLooking(): boolean {
     return this.looking?.id === this.id;
   }
@@ -167,16 +157,6 @@ export class Remote {
     });
   }
 
-  // Of a live line: what it comes from.
-  get live(): LiveState | undefined {
-    return this.picture.live;
-  }
-
-  // The faults at the position: bits 1 << Fault.
-  get faultsHere(): number {
-    return this.picture.faults;
-  }
-
   // Hands over all that has come, and asks for what is wanted: that comes with one of the next pictures.
   advance(sink: Sink): void {
     for (const answer of this.came.splice(0)) {
@@ -185,34 +165,6 @@ export class Remote {
     if (this.answered === this.id && this.us < this.wantedUs) {
       this.ask({ kind: 'advance', id: ++this.id, us: this.wantedUs });
     }
-  }
-
-  status(): Status {
-    return this.picture.status;
-  }
-
-  // True until the line before the place that it has jumped to is decoded: what the status counts, and the link quality, is not known.
-  get isPreview(): boolean {
-    return this.picture.isPreview === true;
-  }
-
-  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's
-  // readings, name, value and unit, with tabs between. Empty without telemetry.
-  telemetry(): readonly string[] {
-    return this.picture.telemetry;
-  }
-
-  // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
-  travel(channel: number): [number, number] | undefined {
-    return this.picture.travel[channel];
-  }
-
-  resetMarks(): void {
-    this.ask({ kind: 'resetMarks' });
-  }
-
-  record(): void {
-    this.ask({ kind: 'record', on: true });
   }
 
   // Returns what was recorded since the last call.
@@ -239,10 +191,10 @@ export class Remote {
       const { ended } = this;
       this.ended = (text): void => {
         ended(text);
-        this.end();
+        this.ask({ kind: 'close' });
       };
     } else {
-      this.end();
+      this.ask({ kind: 'close' });
     }
   }
 
@@ -262,14 +214,13 @@ export class Remote {
       case 'faults': this.faults = answer.map; break;
       case 'envelope': this.envelope = answer.envelope; break;
       case 'flight': this.flight = answer.flight; break;
-      case 'compared': this.compared = answer; break;
+      case 'compared': this.compared = answer.comparison; break;
       case 'report': this.reported?.(answer.html); break;
       case 'wire': this.wire = answer; break;
       case 'past': this.came.push(answer); break;
       case 'picture':
         this.came.push(answer);
         this.text += answer.recorded;
-        this.comparedSoFar = answer.compared ?? this.comparedSoFar;
         if ((answer.found !== undefined || answer.event !== undefined) && this.isLooking) {
           this.sought = answer.jumped ? answer.id : this.sought;
           this.looking?.tell(answer);
@@ -298,11 +249,11 @@ export class Remote {
 }
 
 // Returns what a line opens with, or undefined if it is refused there. Throws an Error or a Problem that says why it cannot be opened.
-function firstAnswer(channel: Channel, progress: (part: number) => void = () => undefined): Promise<Opened | undefined> {
+function firstAnswer(channel: Channel, progress?: Progress): Promise<Opened | undefined> {
   return new Promise((resolve, reject) => {
     channel.onmessage = ({ data }): void => {
       if (data.kind === 'progress') {
-        progress(data.part);
+        progress?.(data.part);
       } else if (data.kind === 'failed') {
         reject(data.remedy ? ({ text: data.error, remedy: data.remedy } satisfies Problem) : new Error(data.error));
       } else {
@@ -310,6 +261,13 @@ function firstAnswer(channel: Channel, progress: (part: number) => void = () => 
       }
     };
   });
+}
+
+// Returns both ends of a channel within the page, which delivers at once.
+function channelInPage(): [Channel, Out] {
+  const channel: Channel = { onmessage: null, postMessage: (data) => out.onmessage?.({ data } as MessageEvent<Request>) };
+  const out: Out = { onmessage: null, postMessage: (data) => channel.onmessage?.({ data } as MessageEvent<Answer>), close: () => undefined };
+  return [channel, out];
 }
 
 function makeWorker(): Worker {
@@ -323,35 +281,37 @@ function makeWorker(): Worker {
   }
 }
 
-// Returns both ends of a channel within the page, which delivers at once.
-function channelInPage(): [Channel, Out] {
-  const channel: Channel = { onmessage: null, postMessage: (data) => out.onmessage?.({ data } as MessageEvent<Request>) };
-  const out: Out = { onmessage: null, postMessage: (data) => channel.onmessage?.({ data } as MessageEvent<Answer>), close: () => undefined };
-  return [channel, out];
-}
+// A worker: of all live lines, since within one a port is closed before it is opened again; or of a recording and the one beside it.
+class Thread {
+  private static live?: Thread;
+  readonly broken: Promise<undefined>;
+  private readonly worker = makeWorker();
 
-// The worker of all live lines: within one, a port is closed before it is opened again.
-class LiveWorker {
-  private static newest?: LiveWorker;
-  readonly broken: Promise<void>;
-
-  private constructor(readonly worker: Worker) {
+  constructor() {
+    const { worker } = this;
     this.broken = new Promise((resolve) => {
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
-        LiveWorker.newest = undefined;
+        Thread.live = Thread.live === this ? undefined : Thread.live;
         worker.terminate();
-        resolve();
+        resolve(undefined);
       };
     });
   }
 
-  // Returns undefined if none starts here.
-  static get(): LiveWorker | undefined {
+  // None if none starts here.
+  static get ofLiveLines(): Thread | undefined {
     try {
-      return (LiveWorker.newest ??= new LiveWorker(makeWorker()));
+      return (Thread.live ??= new Thread());
     } catch {
       return undefined;
     }
+  }
+
+  // Asks for a line, which answers at the channel.
+  ask(request: Open | Live): Channel {
+    const { port1, port2 } = new MessageChannel();
+    this.worker.postMessage(request, [port2]);
+    return port1;
   }
 }

@@ -10,7 +10,6 @@ import type { RecordingSource } from './recording';
 import { Remote } from './remote';
 
 const jumpUs = 2000000; // what is further away is sought
-let ids = 0;
 
 // Returns B's time at a time of A, in us.
 const otherUs = ({ atZeroUs, driftPpm, laterUs }: Comparison, us: number): number => us + atZeroUs + (driftPpm * us) / 1e6 - laterUs;
@@ -23,9 +22,6 @@ export abstract class Second implements Sink {
     readonly name: string,
   ) {}
 
-  // What was found so far; undefined before there is anything.
-  protected abstract readonly found?: Comparison;
-
   // The text to show until the delay is known.
   abstract readonly waiting: string;
 
@@ -34,23 +30,25 @@ export abstract class Second implements Sink {
 
   // Returns undefined until the delay is known.
   get comparison(): Comparison | undefined {
-    return this.found?.delays ? this.found : undefined;
+    const { compared } = this.line;
+    return compared?.delays ? compared : undefined;
   }
 
   // Why frames differ: rates, and ends of channels; or ''.
   get ends(): string {
-    return this.found?.ends ?? '';
+    return this.line.compared?.ends ?? '';
   }
 
   // What is wrong with its port or its decoder, or ''.
   get problem(): string {
-    const problem = this.line.failure ?? this.line.live?.problem;
+    const problem = this.line.failure ?? this.line.picture.live?.problem;
     return problem ? `${problem.text} ${problem.remedy}` : '';
   }
 
   // Returns B's time at a time of A, in us; NaN before it is known.
   at(us: number): number {
-    return this.found ? otherUs(this.found, us) : NaN;
+    const { compared } = this.line;
+    return compared ? otherUs(compared, us) : NaN;
   }
 
   take(stretch: Stretch): void {
@@ -73,7 +71,6 @@ export abstract class Second implements Sink {
 }
 
 export class SecondRecording extends Second {
-  private readonly id = ++ids;
   private askedUs = NaN;
 
   private constructor(
@@ -82,21 +79,15 @@ export class SecondRecording extends Second {
     file: File,
   ) {
     super(line, file.name);
-    first.line.ask({ kind: 'compare', id: this.id, file });
   }
 
   // Reads the file. Throws an Error that says what is wrong with the recording, a Problem, or the reason of `signal`.
   static async read(core: Core, file: File, first: RecordingSource, signal: AbortSignal): Promise<Second> {
-    return new SecondRecording(first, await Remote.read(core, file, signal, () => undefined), file);
-  }
-
-  get found(): Comparison | undefined {
-    const { compared } = this.first.line;
-    return compared?.id === this.id ? compared.comparison : undefined;
+    return new SecondRecording(first, await Remote.read(core, { file, beside: first.line }, signal), file);
   }
 
   get waiting(): string {
-    return this.found ? 'The recordings have no frame in common.' : 'Both are decoded and compared.';
+    return this.line.compared ? 'The recordings have no frame in common.' : 'Both are decoded and compared.';
   }
 
   follow(): void {
@@ -125,10 +116,6 @@ export class SecondPort extends Second {
   static async open(core: Core, port: SerialPort, first: PortSource, signal: AbortSignal): Promise<Second> {
     const make = await PortSource.open(core, port, 'adapter', 0, signal, first.line);
     return new SecondPort(make());
-  }
-
-  get found(): Comparison | undefined {
-    return this.line.comparedSoFar;
   }
 
   follow(): void {

@@ -65,7 +65,7 @@ export class Bars {
     setText(bar.name, this.channels.name(channel));
     setAttribute(bar.chip, 'title', `Show or hide the curve of ${name}`);
     setAttribute(bar.track, 'aria-label', name);
-    const travel = this.line()?.travel(channel);
+    const travel = this.line()?.picture.travel[channel];
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;

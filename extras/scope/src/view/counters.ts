@@ -2,6 +2,7 @@
 
 import { byId, make, setText } from '../dom';
 import type { Status } from '../line';
+import type { Picture } from '../messages';
 import { Throttle } from '../throttle';
 
 const rows: [keyof Status, string, string][] = [
@@ -31,11 +32,11 @@ export class CountersView {
     rows.forEach(([key, name, title]) => this.add(key, name, title));
   }
 
-  // `isPreview`: see Remote.
-  draw(status: Status, events: ReadonlyMap<string, number> | undefined, isPreview: boolean): void {
+  draw({ status, live, isPreview }: Picture): void {
     if (!this.text.due) {
       return;
     }
+    const events = live?.events;
     this.list.classList.toggle('board', status.rows > 0 && status.frames === 0);
     const ofPort = [...this.values.keys()].filter((key) => key.startsWith('port ') && !events?.has(key.slice(5)));
     ofPort.forEach((key) => this.set(key, 0));

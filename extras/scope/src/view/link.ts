@@ -80,8 +80,8 @@ export class LinkView {
     }
   }
 
-  // `isPreview`: see Remote.
-  draw(status: Status, newest: Stretch | undefined, isPreview: boolean): void {
+  // `isPreview`: see Picture.
+  draw(status: Status, newest: Stretch | undefined, isPreview = false): void {
     const state = status.state as LinkState;
     setText(this.state, stateName(state));
     setAttribute(this.stateTile, 'data-severity', states[state][1]);

@@ -44,7 +44,7 @@ export class SecondView {
     this.lists.replaceChildren();
     setText(byId('second-title'), second ? `B, ${second.name}` : '');
     setText(byId('second-text'), '');
-    setAttribute(byId('second-text'), 'aria-live', second?.line.live ? 'off' : 'polite'); // it changes all the time
+    setAttribute(byId('second-text'), 'aria-live', second?.line.picture.live ? 'off' : 'polite'); // it changes all the time
   }
 
   // Redraws what depends on the theme.
@@ -76,9 +76,9 @@ export class SecondView {
   }
 
   private tell({ comparison, ends, waiting, problem, line }: Second): void {
-    const { state, linkQuality } = line.status();
-    const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
-    setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${line.live?.note ?? ''}`.trim());
+    const { status: { state, linkQuality }, isPreview, live } = line.picture;
+    const quality = state === LinkState.NeverSeen || isPreview ? '' : `, quality ${linkQuality} %`;
+    setText(byId('second-link'), problem || `Link: ${stateName(state)}${quality}. ${live?.note ?? ''}`.trim());
     if (!comparison) {
       setText(byId('second-text'), `${waiting} ${ends}`.trim());
       return;

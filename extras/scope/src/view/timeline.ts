@@ -74,7 +74,7 @@ export class Timeline {
 
   private tell(source: RecordingSource): void {
     if (!source.playing || this.telling.due) {
-      const names = namesOf(source.line.faultsHere);
+      const names = namesOf(source.line.picture.faults);
       setAttribute(this.position, 'aria-valuetext', `${clock(source.positionUs, 1)} of ${clock(source.lengthUs, 1)}${names && `, ${names}`}`);
     }
   }

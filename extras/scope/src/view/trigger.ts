@@ -82,6 +82,10 @@ export class TriggerView {
   // Call it for each picture, after the curves.
   draw(nowUs: number): void {
     const { readyUs } = this;
+    const missedUs = this.source?.line.picture.missedUs;
+    if (this.steps && missedUs !== undefined) {
+      this.miss(missedUs);
+    }
     const isFull = readyUs === Infinity && (nowUs >= Number(this.eventUs) + this.afterUs || this.source?.stands);
     if (isFull || (readyUs !== undefined && nowUs >= readyUs)) {
       this.stop();
@@ -102,6 +106,14 @@ export class TriggerView {
       this.curves.mark(us);
       this.say(`Event at ${secondsText(us)}; the picture is filling.`);
     }
+  }
+
+  // Its picture is not kept.
+  private miss(us: number): void {
+    if (this.mode.value !== 'normal') {
+      this.disarm();
+    }
+    this.say(`Event at ${secondsText(us)}, which the curves do not reach: the page was in the background.`);
   }
 
   private stop(): void {
@@ -150,7 +162,7 @@ export class TriggerView {
   // Arms the trigger, or without a condition disarms it.
   private arm(steps?: Uint8Array): void {
     this.steps = steps;
-    this.source?.line.watchFor(steps);
+    this.source?.line.ask({ kind: 'watch', steps });
     this.button.setAttribute('aria-pressed', String(steps !== undefined));
     setText(this.button, steps ? 'Disarm' : 'Arm');
   }

@@ -1,22 +1,18 @@
-// Compares two live lines while they run.
+// Compares two lines, A and B, by their records.
 
 import { RecordReader, TransferSize } from '../border';
 import type { Comparison } from '../messages';
 import type { Native } from '../native';
-import { Throttle } from '../throttle';
 
-const tellingMs = 500;
 const mostBytes = Math.floor(TransferSize / RecordReader.size) * RecordReader.size;
 
 export class Comparing {
-  private readonly telling = new Throttle(tellingMs);
-
-  // `laterUs`: how much later the second line's time 0 is.
+  // `native`: compares. `laterUs`: how much later B's time 0 is.
   constructor(
     private readonly native: Native,
-    laterUs: number,
+    readonly laterUs: number,
   ) {
-    native.calls.compareLive(laterUs);
+    native.calls.compare(laterUs);
   }
 
   // Takes the next records of a line, 0 or 1.
@@ -31,8 +27,8 @@ export class Comparing {
     this.native.calls.comparedUntil(side, us);
   }
 
-  // Returns what was found so far, twice a second; else undefined.
-  news(): Comparison | undefined {
-    return this.telling.due ? JSON.parse(this.native.words(this.native.calls.comparisonSoFar())) : undefined;
+  // Returns what was found so far, or at the end of both.
+  found(atEnd = false): Comparison {
+    return JSON.parse(this.native.words(this.native.calls.comparison(Number(atEnd))));
   }
 }

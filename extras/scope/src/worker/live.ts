@@ -1,14 +1,16 @@
 // A live line: a simulated receiver or a port, read and decoded apart from the page's pictures. It runs in a worker; in the page
 // where a worker has no ports.
 
-import { RecordReader } from '../border';
+import { Flag, RecordReader } from '../border';
 import type { Answer, Live, LiveState, Opening, Picture, Request, Setting } from '../messages';
 import { imports, Native } from '../native';
+import { Throttle } from '../throttle';
 import { Comparing } from './comparing';
 import { type FindPort, PortFeed } from './portFeed';
 import { Trials, type Tried } from './trials';
 
 const turnMs = 10; // from one look at a port to the next
+const tellingMs = 500; // from one comparison to the next
 const mostRecords = 1 << 15; // that wait for the page: it asks for none while it is in the background
 
 // Where a live line hears requests and answers them: a MessagePort, or what does its work in the page.
@@ -57,9 +59,11 @@ const lines = new Map<number, LiveLine>(); // that are open, by their numbers
 class LiveLine {
   private comparing?: Comparing; // with another line
   private side = 0; // of the comparison
+  private readonly telling = new Throttle(tellingMs);
   private readonly trials: Trials;
   private records: Uint8Array[] = [];
   private count = 0;
+  private missedUs?: number; // see Picture
   private us = 0; // the line's time
   private readonly timer?: ReturnType<typeof setInterval>;
 
@@ -133,22 +137,27 @@ class LiveLine {
       this.count += records.length / RecordReader.size;
     });
     while (this.count > mostRecords) {
-      this.count -= (this.records.shift() as Uint8Array).length / RecordReader.size;
+      const oldest = this.records.shift() as Uint8Array;
+      this.count -= oldest.length / RecordReader.size;
+      native.each(oldest, ({ flags, endUs }) => (this.missedUs ??= flags & Flag.Event ? endUs : undefined));
     }
     const status = native.status(nowUs);
     this.comparing?.knownUntil(this.side, nowUs - status.lateUs);
+    if (this.first && this.comparing && this.telling.due) {
+      this.answer({ kind: 'compared', comparison: this.comparing.found() });
+    }
     void this.trials.tick(status);
   }
 
   private picture(id: number, us: number): Picture {
     const { title, state, problem, isUnplugged, events } = this.feed;
     const { note, round } = this.trials;
-    const records = this.records;
+    const { records, missedUs } = this;
+    this.missedUs = undefined;
     this.records = [];
     this.count = 0;
     const live: LiveState = { title, state, problem, isUnplugged, events: events && new Map(events), note, round };
-    const compared = this.first && this.comparing?.news();
-    return { kind: 'picture', id, jumped: false, ...this.native.picture(us), records, faults: 0, live, compared };
+    return { kind: 'picture', id, jumped: false, ...this.native.picture(us), records, faults: 0, live, missedUs };
   }
 
   private answer(message: Answer, transfer: Transferable[] = []): void {

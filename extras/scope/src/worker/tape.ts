@@ -2,9 +2,10 @@
 
 import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../border';
 import type { Status } from '../line';
-import type { Bookmark, Comparison, Flight, Wire } from '../messages';
+import type { Bookmark, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { firstFrom } from '../numbers';
+import { Comparing } from './comparing';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -164,20 +165,9 @@ export class Tape {
     return this.native.calls.recordingStartUs() || undefined;
   }
 
-  // Begins a comparison of this recording, A, with another one, B.
-  compareWith({ settings, startUs }: Tape): void {
-    const laterUs = startUs !== undefined && this.startUs !== undefined ? startUs - this.startUs : 0;
-    this.native.transfer(settings, () => this.native.calls.compareWith(laterUs));
-  }
-
-  // Takes the next part of B.
-  comparePart(bytes: Uint8Array): void {
-    this.native.transfer(bytes, (count) => this.native.calls.comparePart(count));
-  }
-
-  // After the last part.
-  compared(): Comparison {
-    return JSON.parse(this.native.words(this.native.calls.comparison()));
+  // Begins a comparison of another recording, A, with this one.
+  comparing({ startUs }: Tape): Comparing {
+    return new Comparing(this.native, startUs !== undefined && this.startUs !== undefined ? this.startUs - startUs : 0);
   }
 
   private handed(size: number): Uint8Array {

@@ -3,10 +3,11 @@
 import type { RecordReader } from '../border';
 import { History } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
-import { type Answer, Fault, type Found, type Live, type Picture, type Request } from '../messages';
+import { type Answer, Fault, type Found, type Live, type Open, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
+import { Beside } from './beside';
 import { Decoder } from './decoder';
-import { serve } from './live';
+import { type Out, serve } from './live';
 import { Past } from './past';
 import { findPort } from './portFeed';
 import { Search } from './search';
@@ -22,48 +23,33 @@ const settledUs = 10000000; // before that, until a decoder that begins anywhere
 const settled = 5000; // characters: failsafe by losses takes 100 frames, at 5 Hz twenty seconds
 
 const sliceEnd = (): number => performance.now() + sliceMs;
-const answer = (message: Answer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
-
-// Lets waiting messages in.
-const { port1, port2 } = new MessageChannel();
-const turn = (): Promise<void> =>
-  new Promise((resolve) => {
-    port1.onmessage = () => resolve();
-    port2.postMessage(0);
-  });
-
-const telling = new Throttle(progressMs);
-function progress(part: number): void {
-  if (telling.due) {
-    answer({ kind: 'progress', part });
-  }
-}
-
-// A comparison with another recording.
-interface Comparing {
-  id: number;
-  other: Tape;
-  next: number; // its next character
-}
 
 class Playing {
+  private readonly channel = new MessageChannel();
   private player: Decoder;
   private index: TapeIndex;
   private past?: Past;
   private search?: Search;
-  private comparing?: Comparing;
+  private beside?: Beside; // until the comparison is done
   private previewed = 0; // the newest seek whose place was shown before it was decoded
   private soughtUs?: number; // the place of a seek that is not done yet
   private readonly waiting: Request[] = []; // until the place that is looked for is reached
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
   private waking = (): void => undefined;
+  private isClosed = false;
+  private readonly endUs: number;
 
+  // `progress`: tells how much is done, 0..1. `first`: the recording with which it is compared.
   constructor(
     private readonly module: WebAssembly.Module,
     private readonly tape: Tape,
-    private readonly endUs: number,
+    private readonly out: Out,
+    private readonly progress: (part: number) => void,
+    first?: Playing,
   ) {
+    this.endUs = tape.lengthUs + 1000;
     this.player = new Decoder(module, tape);
+    this.beside = first && new Beside(tape.comparing(first.tape), new Decoder(module, first.tape), first.endUs);
     this.index = this.newIndex();
   }
 
@@ -72,15 +58,14 @@ class Playing {
     switch (request.kind) {
       case 'resetMarks': calls.resetMarks(); break;
       case 'sensors': this.sense(request.sensors); break;
-      case 'compare': void this.compare(request.id, request.file); break;
-      case 'wire': answer(this.tape.wire(request.fromUs, request.toUs, request.columns)); break;
+      case 'wire': this.answer(this.tape.wire(request.fromUs, request.toUs, request.columns)); break;
       case 'watch': this.player.watchFor(request.steps); break;
-      case 'report': answer({ kind: 'report', html: this.tape.report() }); break;
+      case 'report': this.answer({ kind: 'report', html: this.tape.report() }); break;
       case 'record':
         if (this.isLeaving) {
           this.waiting.push(request); // a jump would end it
         } else {
-          answer(reader.record(request.on));
+          this.answer(reader.record(request.on));
         }
         break;
       case 'seek': case 'advance': case 'fault': case 'event':
@@ -88,7 +73,24 @@ class Playing {
         this.soughtUs = request.kind === 'seek' ? request.us : this.soughtUs;
         this.waking();
         break;
+      case 'close':
+        this.isClosed = true;
+        this.waking();
+        break;
     }
+  }
+
+  private answer(message: Answer, transfer: Transferable[] = []): void {
+    this.out.postMessage(message, { transfer });
+  }
+
+  // Lets waiting messages in.
+  private turn(): Promise<void> {
+    const { port1, port2 } = this.channel;
+    return new Promise((resolve) => {
+      port1.onmessage = () => resolve();
+      port2.postMessage(0);
+    });
   }
 
   // Another place is looked for.
@@ -107,8 +109,8 @@ class Playing {
     this.past = this.search = undefined;
   }
 
-  async run(): Promise<never> {
-    for (;;) {
+  async run(): Promise<void> {
+    while (!this.isClosed) {
       const { wanted } = this;
       if (!this.isLeaving) {
         this.waiting.splice(0).forEach((request) => this.hear(request));
@@ -118,7 +120,7 @@ class Playing {
       } else if (wanted?.kind === 'seek' && this.previewed !== wanted.id) {
         this.preview(wanted.id, wanted.us);
       } else if (wanted?.kind === 'seek') {
-        progress(this.index.us / wanted.us);
+        this.progress(this.index.us / wanted.us);
         this.index.work(sliceEnd());
       } else if (wanted?.kind === 'fault') {
         this.toFault(wanted);
@@ -130,18 +132,18 @@ class Playing {
         this.workAtPast(this.past);
       } else if (!this.index.isComplete) {
         this.index.work(sliceEnd());
-      } else if (this.comparing) {
-        this.workAtComparison(this.comparing);
+      } else if (this.beside) {
+        this.endComparison(this.beside);
       } else {
         await new Promise<void>((resolve) => (this.waking = resolve));
       }
-      await turn();
+      await this.turn();
     }
   }
 
   private newIndex(): TapeIndex {
-    const { module, tape, endUs } = this;
-    return new TapeIndex(new Decoder(module, tape), tape, endUs, answer);
+    const { module, tape, endUs, beside } = this;
+    return new TapeIndex(new Decoder(module, tape), tape, endUs, (message) => this.answer(message), beside);
   }
 
   // Returns a decoder that is at that time, or a little before it.
@@ -155,33 +157,15 @@ class Playing {
     const samples = past.work(sliceEnd());
     if (samples) {
       this.past = undefined;
-      answer({ kind: 'past', id: past.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
+      this.answer({ kind: 'past', id: past.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
     }
   }
 
-  // Reads the other recording, which the page can read.
-  private async compare(id: number, file: File): Promise<void> {
-    const other = new Tape(this.module);
-    try {
-      await other.read(file, () => undefined);
-      this.tape.compareWith(other);
-      this.comparing = { id, other, next: 0 };
-      this.waking();
-    } catch (error) {
-      answer({ kind: 'failed', error: (error as Error).message });
-    }
-  }
-
-  private workAtComparison(comparing: Comparing): void {
-    const { id, other } = comparing;
-    for (const endMs = sliceEnd(); comparing.next < other.size && performance.now() < endMs; ) {
-      const { bytes, count } = other.part(comparing.next);
-      this.tape.comparePart(bytes);
-      comparing.next += count;
-    }
-    if (comparing.next >= other.size) {
-      this.comparing = undefined;
-      answer({ kind: 'compared', id, comparison: this.tape.compared() });
+  private endComparison(beside: Beside): void {
+    const comparison = beside.finish(sliceEnd());
+    if (comparison) {
+      this.beside = undefined;
+      this.answer({ kind: 'compared', comparison });
     }
   }
 
@@ -223,7 +207,7 @@ class Playing {
     const records = recordsAt(decoder, us);
     const picture = pictureOf(decoder, id, true, records);
     if (picture.status.frames > 0) {
-      answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
+      this.answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
     }
   }
 
@@ -240,7 +224,7 @@ class Playing {
         this.stay(id, null);
       }
     } else {
-      progress(index.us / endUs);
+      this.progress(index.us / endUs);
       index.work(sliceEnd());
     }
   }
@@ -252,7 +236,7 @@ class Playing {
     }
     const { search } = this;
     if (!search.work(sliceEnd())) {
-      progress(search.us / index.endUs);
+      this.progress(search.us / index.endUs);
       return;
     }
     this.wanted = this.search = undefined;
@@ -283,7 +267,7 @@ class Playing {
   }
 
   private show(id: number, jumped: boolean, records: Uint8Array[], found?: Found | null, event?: number | null): void {
-    answer({ ...this.picture(id, jumped, records), found, event }, records.map(({ buffer }) => buffer));
+    this.answer({ ...this.picture(id, jumped, records), found, event }, records.map(({ buffer }) => buffer));
   }
 
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
@@ -316,32 +300,45 @@ function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
   }
 }
 
-let playing: Playing | undefined;
+let first: Playing | undefined;
 
-async function open({ wasm, file, signal }: Extract<Request, { kind: 'open' }>): Promise<void> {
+// Reads a recording and plays it until it is closed, also while it is read. With the first one the worker ends.
+async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
+  const isFirst = !first;
+  let isClosed = false;
+  out.onmessage = ({ data }): void => void (isClosed = data.kind === 'close');
+  const telling = new Throttle(progressMs);
+  const progress = (part: number): void => {
+    if (isClosed) {
+      throw new Error('it is closed');
+    }
+    if (telling.due) {
+      out.postMessage({ kind: 'progress', part });
+    }
+  };
   try {
     const module = new WebAssembly.Module(wasm as BufferSource);
     const tape = new Tape(module);
     const error = await tape.read(file, progress, signal);
+    progress(1);
     if (error !== '') {
-      answer({ kind: 'failed', error });
+      out.postMessage({ kind: 'failed', error });
       return;
     }
     const { lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks } = tape;
-    playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
+    const playing = new Playing(module, tape, out, progress, first);
+    first ??= playing;
+    out.onmessage = ({ data }): void => playing.hear(data);
+    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
-    answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
+    out.postMessage({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
+  } finally {
+    out.close();
+    if (isFirst) {
+      close();
+    }
   }
 }
 
-addEventListener('message', ({ data, ports }: MessageEvent<Request | Live>) => {
-  if (data.kind === 'live') {
-    void serve(data, ports[0], findPort);
-  } else if (data.kind === 'open') {
-    void open(data);
-  } else {
-    playing?.hear(data);
-  }
-});
+addEventListener('message', ({ data, ports: [out] }: MessageEvent<Open | Live>) => void (data.kind === 'live' ? serve(data, out, findPort) : open(data, out)));
