@@ -25,8 +25,12 @@ constexpr std::chrono::microseconds Soon(250);
 
 void Input::check() {
   _line->canAdvanceTo(_startUs);
-  if (!_line->failure().empty()) {
-    throw std::runtime_error(_line->failure());
+  requireWhole();
+}
+
+void Input::requireWhole() const {
+  if (!failure().empty()) {
+    throw std::runtime_error(failure());
   }
 }
 
@@ -73,10 +77,10 @@ bool Input::step(const Taker &taker) {
   } else if (!news.empty()) {
     std::fprintf(stderr, "%s\n", news.c_str());
   }
-  if (!_line->failure().empty()) {
-    throw std::runtime_error(_line->failure());
+  if (!_endsOnFailure) {
+    requireWhole();
   }
-  return !_ended && !_line->finished(_nowUs) && _nowUs < _endUs;
+  return !_ended && failure().empty() && !_line->finished(_nowUs) && _nowUs < _endUs;
 }
 
 // Moves on to the next time. Returns false if characters up to then are still missing.
@@ -143,6 +147,9 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
       const bool isAhead = goesOn[1 - i] && isAtOnce && placeUs(i) > placeUs(1 - i);
       if (goesOn[i] && !isAhead && inputs[i]->advance()) {
         goesOn[i] = inputs[i]->step(*takers[i]);
+        if (goesOn[1 - i] && !inputs[i]->failure().empty()) {
+          std::fprintf(stderr, "%s\n", inputs[i]->failure().c_str());
+        }
         waits = waits && !isAtOnce;
       } else if (goesOn[i] && !isAhead && inputs[i]->isOverdue()) {
         goesOn[i] = false;

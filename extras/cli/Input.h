@@ -25,6 +25,13 @@ class Input {
   // Sets the function that takes the news that a port is gone, or back. Default: print it to standard error.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
+  // Makes run() and runBoth() return when the line fails, as if it ended. Default: they throw std::runtime_error.
+  void endOnFailure() { _endsOnFailure = true; }
+  std::string failure() const { return _line->failure(); }
+
+  // Throws std::runtime_error if the line has failed. Call it after run(), once everything before the failure is out.
+  void requireWhole() const;
+
   // Sets the time at which run() begins; earlier characters are left out. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
@@ -41,7 +48,7 @@ class Input {
   uint64_t knownUs() const { return _knownUs; }
 
   // Returns true if the line has brought its last character, for use in a tick: what follows is no silence of the line.
-  bool hasEnded() const { return _line->finished(_nowUs + line::TailUs); }
+  bool hasEnded() const { return !failure().empty() || _line->finished(_nowUs + line::TailUs); }
 
   // Returns true if run() has returned because the line has ended, but not as it should.
   bool isBroken() const { return hasEnded() && _line->isBroken(); }
@@ -73,7 +80,7 @@ class Input {
 
   // Runs two inputs together, from the same moment on, until both have ended; it polls them every 0.25 ms. One that
   // runs as fast as it can stays in step with the other: their times differ by at most a tick, once `aheadUs` is added
-  // to those of `one`. Throws std::runtime_error if a line fails.
+  // to those of `one`. Throws std::runtime_error if a line fails that does not endOnFailure(); otherwise reports it.
   static void runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs = 0);
 
  private:
@@ -95,6 +102,7 @@ class Input {
   uint64_t _startUs = 0;
   bool _ended = false;
   bool _hurries = false;
+  bool _endsOnFailure = false;
   Clock::time_point _start;
   uint64_t _nowUs = 0;
   uint64_t _endUs = UINT64_MAX;

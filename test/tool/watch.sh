@@ -195,6 +195,11 @@ for folder in "$work/file" "$work/no/such"; do
   verdict $? "watch says: $(cat "$work/err")"
 done
 
+(cat "$work/flight.json" && echo wrong) >"$work/wrong.json"
+rm -rf "$work/dir"
+! watch "$work/wrong.json" --when failsafe -o "$work/dir" --after 100 >"$work/out" && grep -q 'wrong.json:1001: "wrong" is not' "$work/err" && tail -n 1 "$work/out" | grep -q ' end .*, [1-9][0-9]* frames$'
+verdict $? "a wrong line ends an event: $(tail -n 1 "$work/out")"
+
 # ---- Memory
 
 watched() { peak watch "$1" --when 'ch1<300' -o "$work/dir" --most 0.2; }
