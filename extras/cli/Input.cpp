@@ -35,7 +35,7 @@ void Input::requireWhole() const {
 }
 
 uint64_t Input::sinceUs() const {
-  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _start).count());
+  return line::clockUs() - _startedUs;
 }
 
 void Input::wait() {
@@ -46,11 +46,11 @@ void Input::wait() {
   }
 }
 
-void Input::begin(Clock::time_point start) {
+void Input::begin(uint64_t startedUs) {
   if (_pace == Pace::RealTime) {
     setLineByLine();
   }
-  _start = start;
+  _startedUs = startedUs;
   _nowUs = _startUs;
   _endUs = _seconds > 0 ? _startUs + static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   _line->opened(0);
@@ -112,7 +112,7 @@ bool Input::isOverdue() const {
 void Input::run(const std::function<void(const line::Character &)> &put,
                 const std::function<void(uint64_t nowUs)> &tick) {
   const Taker taker = {put, tick};
-  begin(Clock::now());
+  begin(line::clockUs());
   while (!stopped() && step(taker)) {
     if (_pace == Pace::RealTime) {
       wait();
@@ -135,9 +135,9 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
   const Taker *const takers[] = {&takeOne, &takeOther};
   const int64_t zeroUs[] = {aheadUs, 0};
   bool goesOn[] = {true, true};
-  const Clock::time_point start = Clock::now();
+  const uint64_t startedUs = line::clockUs();
   for (Input *const input : inputs) {
-    input->begin(start);
+    input->begin(startedUs);
   }
   const auto placeUs = [&](size_t i) { return static_cast<int64_t>(inputs[i]->_nowUs) + zeroUs[i]; };
   while (!stopped() && (goesOn[0] || goesOn[1])) {

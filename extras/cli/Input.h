@@ -1,7 +1,6 @@
 // A line that a subcommand reads in real time or as fast as it can.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -84,9 +83,7 @@ class Input {
   static void runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs = 0);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void begin(Clock::time_point start);
+  void begin(uint64_t startedUs);
   bool step(const Taker &taker);
   uint64_t dueForUs(uint64_t endUs) const;
   bool advance();
@@ -103,7 +100,7 @@ class Input {
   bool _ended = false;
   bool _hurries = false;
   bool _endsOnFailure = false;
-  Clock::time_point _start;
+  uint64_t _startedUs = 0;  // by clockUs(): what is received after the PC has slept is that much later
   uint64_t _nowUs = 0;
   uint64_t _endUs = UINT64_MAX;
   uint64_t _knownUs = 0;
