@@ -34,8 +34,10 @@ void Input::requireWhole() const {
   }
 }
 
-uint64_t Input::sinceUs() const {
-  return line::clockUs() - _startedUs;
+uint64_t Input::clockUs() const {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return _pace == Pace::Live ? line::clockUs()
+                             : static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
 void Input::wait() {
@@ -46,11 +48,11 @@ void Input::wait() {
   }
 }
 
-void Input::begin(uint64_t startedUs) {
-  if (_pace == Pace::RealTime) {
+void Input::begin() {
+  if (_pace != Pace::AtOnce) {
     setLineByLine();
   }
-  _startedUs = startedUs;
+  _startedUs = clockUs();
   _nowUs = _startUs;
   _endUs = _seconds > 0 ? _startUs + static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   _line->opened(0);
@@ -64,7 +66,7 @@ uint64_t Input::dueForUs(uint64_t endUs) const {
 // Hands over the characters received so far. Returns false at the end.
 bool Input::step(const Taker &taker) {
   for (line::Character character; _line->next(_nowUs, character);) {
-    if (_pace == Pace::RealTime && character.sinceUs == 0) {
+    if (_pace != Pace::AtOnce && character.sinceUs == 0) {
       character.sinceUs = line::clockUs() - dueForUs(character.endUs);
     }
     taker.put(character);
@@ -86,7 +88,7 @@ bool Input::step(const Taker &taker) {
 // Moves on to the next time. Returns false if characters up to then are still missing.
 bool Input::advance() {
   uint64_t nextUs = _nowUs + TickUs;
-  if (_pace == Pace::RealTime) {
+  if (_pace != Pace::AtOnce) {
     nextUs = _startUs + sinceUs();
   } else if (!_line->canAdvanceTo(nextUs)) {
     return false;
@@ -112,9 +114,9 @@ bool Input::isOverdue() const {
 void Input::run(const std::function<void(const line::Character &)> &put,
                 const std::function<void(uint64_t nowUs)> &tick) {
   const Taker taker = {put, tick};
-  begin(line::clockUs());
+  begin();
   while (!stopped() && step(taker)) {
-    if (_pace == Pace::RealTime) {
+    if (_pace != Pace::AtOnce) {
       wait();
       advance();
       continue;
@@ -135,9 +137,8 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
   const Taker *const takers[] = {&takeOne, &takeOther};
   const int64_t zeroUs[] = {aheadUs, 0};
   bool goesOn[] = {true, true};
-  const uint64_t startedUs = line::clockUs();
   for (Input *const input : inputs) {
-    input->begin(startedUs);
+    input->begin();
   }
   const auto placeUs = [&](size_t i) { return static_cast<int64_t>(inputs[i]->_nowUs) + zeroUs[i]; };
   while (!stopped() && (goesOn[0] || goesOn[1])) {

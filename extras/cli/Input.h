@@ -13,7 +13,8 @@ namespace tool {
 
 class Input {
  public:
-  enum class Pace { RealTime, AtOnce };
+  // Live counts the time for which the PC sleeps; RealTime, for a file or a simulation, pauses meanwhile.
+  enum class Pace { Live, RealTime, AtOnce };
 
   // Reads for `seconds`; 0: until the line ends.
   Input(std::unique_ptr<line::Line> line, const line::LineSettings &settings, Pace pace, double seconds)
@@ -54,7 +55,7 @@ class Input {
 
   // Returns when --seconds end a real-time source; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
-    return _pace == Pace::RealTime && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
+    return _pace != Pace::AtOnce && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   }
 
   // Returns --seconds; 0 without it.
@@ -83,13 +84,14 @@ class Input {
   static void runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs = 0);
 
  private:
-  void begin(uint64_t startedUs);
+  void begin();
   bool step(const Taker &taker);
   uint64_t dueForUs(uint64_t endUs) const;
   bool advance();
   void tellProgress();
   bool isOverdue() const;
-  uint64_t sinceUs() const;
+  uint64_t clockUs() const;
+  uint64_t sinceUs() const { return clockUs() - _startedUs; }
   void wait();
 
   std::unique_ptr<line::Line> _line;
@@ -100,7 +102,7 @@ class Input {
   bool _ended = false;
   bool _hurries = false;
   bool _endsOnFailure = false;
-  uint64_t _startedUs = 0;  // by clockUs(): what is received after the PC has slept is that much later
+  uint64_t _startedUs = 0;  // by clockUs()
   uint64_t _nowUs = 0;
   uint64_t _endUs = UINT64_MAX;
   uint64_t _knownUs = 0;

@@ -32,6 +32,10 @@ wait "$player"
   END { exit !(found > 50 && NR > found + 50) }' "$work/times" && "$SBUS" summary "$work/asleep.txt" >"$work/out"
 verdict $? "a recording goes on after the PC has slept, an hour later: $(grep -A 1 -E 'no frames|PC late' "$work/out" | tr -s ' \n' ' ')"
 
+frames=$(ASLEEP=500,36000 LD_PRELOAD="$preload" timeout 60 "$SBUS" csv sim --seconds 2 --every-frame --columns time | tail -n 1)
+[ "${frames%.*}" -lt 3 ]
+verdict $? "a simulation pauses while the PC sleeps: it ends at $frames s"
+
 # ---- Files
 
 "$SBUS" record sim -o "$work/sim.txt" --simulated-time --seconds 60 2>"$work/err"
