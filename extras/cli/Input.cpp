@@ -25,13 +25,19 @@ constexpr std::chrono::microseconds Soon(250);
 
 void Input::check() {
   _line->canAdvanceTo(_startUs);
-  if (!_line->failure().empty()) {
-    throw std::runtime_error(_line->failure());
+  requireWhole();
+}
+
+void Input::requireWhole() const {
+  if (!failure().empty()) {
+    throw std::runtime_error(failure());
   }
 }
 
-uint64_t Input::sinceUs() const {
-  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _start).count());
+uint64_t Input::clockUs() const {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return _pace == Pace::Live ? line::clockUs()
+                             : static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
 void Input::wait() {
@@ -42,11 +48,11 @@ void Input::wait() {
   }
 }
 
-void Input::begin(Clock::time_point start) {
-  if (_pace == Pace::RealTime) {
+void Input::begin() {
+  if (_pace != Pace::AtOnce) {
     setLineByLine();
   }
-  _start = start;
+  _startedUs = clockUs();
   _nowUs = _startUs;
   _endUs = _seconds > 0 ? _startUs + static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   _line->opened(0);
@@ -60,7 +66,7 @@ uint64_t Input::dueForUs(uint64_t endUs) const {
 // Hands over the characters received so far. Returns false at the end.
 bool Input::step(const Taker &taker) {
   for (line::Character character; _line->next(_nowUs, character);) {
-    if (_pace == Pace::RealTime && character.sinceUs == 0) {
+    if (_pace != Pace::AtOnce && character.sinceUs == 0) {
       character.sinceUs = line::clockUs() - dueForUs(character.endUs);
     }
     taker.put(character);
@@ -73,16 +79,16 @@ bool Input::step(const Taker &taker) {
   } else if (!news.empty()) {
     std::fprintf(stderr, "%s\n", news.c_str());
   }
-  if (!_line->failure().empty()) {
-    throw std::runtime_error(_line->failure());
+  if (!_endsOnFailure) {
+    requireWhole();
   }
-  return !_ended && !_line->finished(_nowUs) && _nowUs < _endUs;
+  return !_ended && failure().empty() && !_line->finished(_nowUs) && _nowUs < _endUs;
 }
 
 // Moves on to the next time. Returns false if characters up to then are still missing.
 bool Input::advance() {
   uint64_t nextUs = _nowUs + TickUs;
-  if (_pace == Pace::RealTime) {
+  if (_pace != Pace::AtOnce) {
     nextUs = _startUs + sinceUs();
   } else if (!_line->canAdvanceTo(nextUs)) {
     return false;
@@ -108,9 +114,9 @@ bool Input::isOverdue() const {
 void Input::run(const std::function<void(const line::Character &)> &put,
                 const std::function<void(uint64_t nowUs)> &tick) {
   const Taker taker = {put, tick};
-  begin(Clock::now());
+  begin();
   while (!stopped() && step(taker)) {
-    if (_pace == Pace::RealTime) {
+    if (_pace != Pace::AtOnce) {
       wait();
       advance();
       continue;
@@ -131,9 +137,8 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
   const Taker *const takers[] = {&takeOne, &takeOther};
   const int64_t zeroUs[] = {aheadUs, 0};
   bool goesOn[] = {true, true};
-  const Clock::time_point start = Clock::now();
   for (Input *const input : inputs) {
-    input->begin(start);
+    input->begin();
   }
   const auto placeUs = [&](size_t i) { return static_cast<int64_t>(inputs[i]->_nowUs) + zeroUs[i]; };
   while (!stopped() && (goesOn[0] || goesOn[1])) {
@@ -143,6 +148,9 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
       const bool isAhead = goesOn[1 - i] && isAtOnce && placeUs(i) > placeUs(1 - i);
       if (goesOn[i] && !isAhead && inputs[i]->advance()) {
         goesOn[i] = inputs[i]->step(*takers[i]);
+        if (goesOn[1 - i] && !inputs[i]->failure().empty()) {
+          std::fprintf(stderr, "%s\n", inputs[i]->failure().c_str());
+        }
         waits = waits && !isAtOnce;
       } else if (goesOn[i] && !isAhead && inputs[i]->isOverdue()) {
         goesOn[i] = false;

@@ -1,7 +1,6 @@
 // A line that a subcommand reads in real time or as fast as it can.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,7 +13,8 @@ namespace tool {
 
 class Input {
  public:
-  enum class Pace { RealTime, AtOnce };
+  // Live counts the time for which the PC sleeps; RealTime, for a file or a simulation, pauses meanwhile.
+  enum class Pace { Live, RealTime, AtOnce };
 
   // Reads for `seconds`; 0: until the line ends.
   Input(std::unique_ptr<line::Line> line, const line::LineSettings &settings, Pace pace, double seconds)
@@ -24,6 +24,13 @@ class Input {
 
   // Sets the function that takes the news that a port is gone, or back. Default: print it to standard error.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
+
+  // Makes run() and runBoth() return when the line fails, as if it ended. Default: they throw std::runtime_error.
+  void endOnFailure() { _endsOnFailure = true; }
+  std::string failure() const { return _line->failure(); }
+
+  // Throws std::runtime_error if the line has failed. Call it after run(), once everything before the failure is out.
+  void requireWhole() const;
 
   // Sets the time at which run() begins; earlier characters are left out. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
@@ -41,14 +48,14 @@ class Input {
   uint64_t knownUs() const { return _knownUs; }
 
   // Returns true if the line has brought its last character, for use in a tick: what follows is no silence of the line.
-  bool hasEnded() const { return _line->finished(_nowUs + line::TailUs); }
+  bool hasEnded() const { return !failure().empty() || _line->finished(_nowUs + line::TailUs); }
 
   // Returns true if run() has returned because the line has ended, but not as it should.
   bool isBroken() const { return hasEnded() && _line->isBroken(); }
 
   // Returns when --seconds end a real-time source; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
-    return _pace == Pace::RealTime && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
+    return _pace != Pace::AtOnce && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   }
 
   // Returns --seconds; 0 without it.
@@ -73,19 +80,18 @@ class Input {
 
   // Runs two inputs together, from the same moment on, until both have ended; it polls them every 0.25 ms. One that
   // runs as fast as it can stays in step with the other: their times differ by at most a tick, once `aheadUs` is added
-  // to those of `one`. Throws std::runtime_error if a line fails.
+  // to those of `one`. Throws std::runtime_error if a line fails that does not endOnFailure(); otherwise reports it.
   static void runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs = 0);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void begin(Clock::time_point start);
+  void begin();
   bool step(const Taker &taker);
   uint64_t dueForUs(uint64_t endUs) const;
   bool advance();
   void tellProgress();
   bool isOverdue() const;
-  uint64_t sinceUs() const;
+  uint64_t clockUs() const;
+  uint64_t sinceUs() const { return clockUs() - _startedUs; }
   void wait();
 
   std::unique_ptr<line::Line> _line;
@@ -95,7 +101,8 @@ class Input {
   uint64_t _startUs = 0;
   bool _ended = false;
   bool _hurries = false;
-  Clock::time_point _start;
+  bool _endsOnFailure = false;
+  uint64_t _startedUs = 0;  // by clockUs()
   uint64_t _nowUs = 0;
   uint64_t _endUs = UINT64_MAX;
   uint64_t _knownUs = 0;

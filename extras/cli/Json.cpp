@@ -1,25 +1,11 @@
 #include "cli/Json.h"
 
-#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "line/Format.h"
 #include "line/FrameBytes.h"
 
 namespace tool {
-
-namespace {
-
-// Returns the text in quotation marks. Port and signal names are UTF-8.
-std::string quoted(const std::string &text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    json += c >= 0 && c < ' ' ? line::format("\\u%04x", static_cast<unsigned>(c))
-                              : (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-  }
-  return json + '"';
-}
-
-}  // namespace
 
 Json &Json::add(const char *name, const std::string &value) {
   _text += (_text.empty() ? "\"" : ",\"") + std::string(name) + "\":" + value;
@@ -27,7 +13,8 @@ Json &Json::add(const char *name, const std::string &value) {
 }
 
 Json &Json::text(const char *name, const std::string &value) {
-  return add(name, quoted(value));
+  // A file's name may not be UTF-8, as a JSON text has to be.
+  return add(name, nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 Json &Json::decimal(const char *name, std::optional<double> value) {

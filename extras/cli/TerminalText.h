@@ -2,25 +2,28 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace tool {
 
-// A byte of UTF-8 that begins a character.
-inline bool begins(char c) {
-  return (c & 0xC0) != 0x80;
+// Returns how many columns a byte of UTF-8 takes: 1 if it begins a character, 2 if that is one of China, Japan or Korea, or
+// an emoji; 0 within a character.
+inline int columnsOf(char c) {
+  const bool isWide = ('\xE3' <= c && c <= '\xED') || c == '\xF0';
+  return (c & 0xC0) == 0x80 ? 0 : isWide ? 2 : 1;
 }
 
 inline int widthOf(const std::string &text) {
-  return static_cast<int>(std::count_if(text.begin(), text.end(), begins));
+  return std::accumulate(text.begin(), text.end(), 0, [](int sum, char c) { return sum + columnsOf(c); });
 }
 
 // Returns as much of the text as fits.
 inline std::string cut(const std::string &text, int width) {
   int columns = 0;
   size_t at = 0;
-  while (at < text.size() && (columns < width || !begins(text[at]))) {
-    columns += begins(text[at++]);
+  while (at < text.size() && columns + columnsOf(text[at]) <= width) {
+    columns += columnsOf(text[at++]);
   }
   return text.substr(0, at);
 }

@@ -1,6 +1,7 @@
 // To be preloaded: the date jumps by an hour, to and fro, and files fail as a worn-out disk or card does.
 //
 //   HOURS=1                    CLOCK_REALTIME is an hour ahead in every other 50 ms
+//   ASLEEP=N,S                 the PC sleeps for S seconds after N ms, which CLOCK_MONOTONIC does not count
 //   EIO=read,NAME,BYTES        read() of a file of which the name contains NAME fails once BYTES have been read;
 //   EIO=write,NAME,BYTES       likewise write(); EIO=fsync,NAME,0: fsync()
 #include <dlfcn.h>
@@ -55,6 +56,12 @@ int clock_gettime(clockid_t clock, timespec *time) {
   const int status = next(clock, time);
   if (clock == CLOCK_REALTIME && std::getenv("HOURS") != nullptr && time->tv_nsec / 50000000 % 2 == 1) {
     time->tv_sec += 3600;
+  }
+  const char *const asleep = std::getenv("ASLEEP");
+  if (clock == CLOCK_BOOTTIME && asleep != nullptr) {
+    static const timespec first = *time;
+    const long ms = (time->tv_sec - first.tv_sec) * 1000 + (time->tv_nsec - first.tv_nsec) / 1000000;
+    time->tv_sec += ms < std::atol(asleep) ? 0 : std::atol(std::strchr(asleep, ',') + 1);
   }
   return status;
 }

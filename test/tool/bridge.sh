@@ -139,6 +139,19 @@ verdict $? "the pupil controls CH1 to CH4 while the switch is on, but not in the
 verdict $? "the pupil controls the named channels"
 [ "$(trained ch1=7,failsafe=on --trainer ch8 --seconds 0.9)" = "100: 1 1 1 1 1; " ]
 verdict $? "a pupil in failsafe controls no channels"
+# A program that is killed within a line ends its own receiver only, whichever it is.
+(head -n 60 "$work/teacher.json" | tr 1 7 && printf '{"type":"fra') | sed 's/7877/1811/g' >"$work/half.json"
+while IFS='|' read -r arguments wanted; do
+  # shellcheck disable=SC2086  # the arguments are words
+  got=$(cd "$work" && bridge $arguments | tee "$work/out" | rows | cut -d' ' -f1,19,20 | uniq -c |
+    awk '{ printf "%s:%s,%s,%s ", $1, $2, $3, $4 }'; grep -c '"type":"end"' "$work/out")
+  [ "$got" = "$wanted" ] && tail -n 1 "$work/err" | grep -q '^sbus bridge: half.json: ends within an object' || { echo "$got"; cat "$work/err"; false; }
+  verdict $? "bridge $arguments: $wanted line of type end, and the error at last"
+done <<'END'
+teacher.json - --second half.json --trainer ch8|40:1,0,0 31:7,0,0 9:1,0,0 20:1,0,1 1
+half.json - --second teacher.json|60:7,0,0 9:1,0,0 20:1,0,1 0
+half.json -|60:7,0,0 0
+END
 sed 's/,1811,/,172,/' "$work/teacher.json" >"$work/reversed.json"
 trained() { bridge "$work/reversed.json" - --second "$@" | rows | cut -d' ' -f1-5 | uniq -c | awk '{ $1 = $1 ":"; printf "%s; ", $0 }'; }
 [ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8 --range 1811,992,172 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 7 7 7 7 1; 20: 1 1 1 1 1; " ]

@@ -289,6 +289,14 @@ rm "$work"/long-*
 
 # ---- Errors
 
+(grep -v '^#' "$work/sim.txt" && echo wrong) >"$work/wrong.txt"
+for arguments in "sim.txt wrong.txt" "wrong.txt sim.txt"; do
+  # shellcheck disable=SC2086  # they are words
+  ! (cd "$work" && "$SBUS" compare $arguments) >"$work/out" 2>"$work/err" && grep -q '^same  *[1-9][0-9]* frames' "$work/out" &&
+    grep -q '^wrong.txt:[0-9]*: "wrong" is not a time' "$work/err" || { cat "$work/out" "$work/err"; false; }
+  verdict $? "compare $arguments prints what precedes a wrong line: $(head -n 3 "$work/out" | tail -n 1)"
+done
+
 printf '0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00\n%.0s' 1 2 3 >"$work/bytes.txt"
 while IFS='|' read -r arguments message; do
   # shellcheck disable=SC2086  # the arguments are words

@@ -24,6 +24,18 @@ rows|rows of csv and send
 cat|bytes through a pipe
 END
 
+record_for 3 sim
+player send "$lasting"
+ASLEEP=1500,3600 LD_PRELOAD="$preload" timeout 60 "$SBUS" record "$terminal" -o "$work/asleep.txt" 2>"$work/err"
+wait "$player"
+"$SBUS" csv "$work/asleep.txt" --every-frame --columns time >"$work/times" && awk '$1 - before > 3600 && before { found = NR } { before = $1 }
+  END { exit !(found > 50 && NR > found + 50) }' "$work/times" && "$SBUS" summary "$work/asleep.txt" >"$work/out"
+verdict $? "a recording goes on after the PC has slept, an hour later: $(grep -A 1 -E 'no frames|PC late' "$work/out" | tr -s ' \n' ' ')"
+
+frames=$(ASLEEP=500,36000 LD_PRELOAD="$preload" timeout 60 "$SBUS" csv sim --seconds 2 --every-frame --columns time | tail -n 1)
+[ "${frames%.*}" -lt 3 ]
+verdict $? "a simulation pauses while the PC sleeps: it ends at $frames s"
+
 # ---- Files
 
 "$SBUS" record sim -o "$work/sim.txt" --simulated-time --seconds 60 2>"$work/err"

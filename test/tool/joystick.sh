@@ -174,6 +174,12 @@ joystick recordings/paper.txt --simulated-time
 grep -q '^ABS' "$UINPUT_LOG" && ! grep unread "$UINPUT_LOG"
 verdict $? "programs have time to read the last report before the controller is removed"
 
+echo '{"type":"frame","channels":[1811,1811,1811' >"$work/half.json"
+"$SBUS" hex recordings/paper.txt --json | cat - "$work/half.json" >"$work/cut.json"
+rm -f "$UINPUT_LOG"
+! joystick "$work/cut.json" --simulated-time && grep -q 'cut.json: ends within an object' "$work/err" && [ "$(last)" = "0 0 -1000 0 0 0 0 0 |" ] && ! grep unread "$UINPUT_LOG" || { last; cat "$work/err"; false; }
+verdict $? "a source that fails closes the throttle: $(tail -n 1 "$work/err")"
+
 # ---- Files that are not calibrations
 
 expected="a channel's raw values at -100, 0 and +100 % are expected, such as CH1 172 992 1811, with each channel of CH1 to CH16 at most once"

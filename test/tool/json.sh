@@ -80,6 +80,10 @@ verdict $? "hex --json has the frames of csv"
 [ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim:uninverted --simulated-time --json >"$work/doctor" &&
   [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"Wrong polarity'
 verdict $? "doctor --json has the verdict and the exit status"
+cp recordings/paper.txt "$work/$(printf 'caf\351\n\033')"
+(cd "$work" && "$SBUS" hex caf* --json) | python3 -c 'import json, sys
+assert json.loads(sys.stdin.buffer.readline().decode())["source"] == "caf\uFFFD\n\x1b"'
+verdict $? "a name that is not UTF-8 is valid JSON"
 printf '$timescale 1us $end\n$var wire 1 ! a"b\\c $end\n$enddefinitions $end\n' >"$work/odd.vcd"
 sed '1,/enddefinitions/d' "$work/sbus2.vcd" >>"$work/odd.vcd"
 "$SBUS" hex "$work/odd.vcd" --json | python3 -c 'import json, sys

@@ -49,7 +49,6 @@ page() {
 # ---- What is on the page
 
 utf8=LC_ALL=C.UTF-8
-page flight 80x24 $utf8 sim --seconds 3.2
 page failsafe 80x24 $utf8 sim --seconds 10.5
 page failsafe-small 40x12 $utf8 sim --seconds 10.5
 page failsafe-plain 80x24 'LC_ALL=C TERM=vt100' sim --seconds 10.5
@@ -58,7 +57,6 @@ page channels32-small 40x12 $utf8 sim:32 --seconds 3.2
 page noise 120x30 $utf8 sim:noise=100 --seconds 3.2
 page futaba 80x24 $utf8 recordings/sbus2.txt --range futaba
 page sensors 80x24 $utf8 sim:sbus2 --sensor 1=SBS-01V --seconds 3.2
-page sensors-narrow 60x24 $utf8 sim:sbus2 --sensor 1=SBS-01V --seconds 3.2
 page silent 80x24 $utf8 sim:silent --seconds 2
 page sketch 80x24 $utf8 golden/DecodeSBus.csv
 page unknown-rows 80x24 $utf8 golden/Normalized.csv
@@ -67,10 +65,14 @@ page unknown-rows 80x24 $utf8 golden/Normalized.csv
 for file in tool/pages/*.txt; do
   grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "a call of page has $file"
 done
-# The sketch AllChannels also printed its last row 3.2 s after the beginning.
-awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$work/raw.txt"
-[ "$(cat "$work/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
-verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChannels.csv"
+[ "$(awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/failsafe.txt)" = \
+  "$("$SBUS" csv sim --simulated-time --seconds 10.5 --columns ch1-ch16 | tail -n 1)" ]
+verdict $? "the raw values of tool/pages/failsafe.txt are those of csv"
+
+cp recordings/paper.txt "$work/飛行の記録ポート.txt"
+open 80x24 "sh -c \"cd '$work'; LC_ALL=C.UTF-8 '$SBUS' monitor 飛行の*.txt --simulated-time\"" && shows ' 飛行の記録ポート.txt   S.BUS, 100000 baud                              ● stale'
+verdict $? "a name of wide characters leaves room for the state"
+close
 
 # colours WANTED ENVIRONMENT: checks whether the page has colours
 colours() {
@@ -91,9 +93,11 @@ open 80x24 "env $utf8 '$SBUS' monitor sim --simulated-time --seconds 10.5" && sa
   tmux resize-window -x 1 -y 1 && tmux resize-window -x 300 -y 100 && shows 'ENDED: q quits' &&
   tmux resize-window -x 80 -y 24 && same failsafe
 verdict $? "the page follows the terminal's size"
-tmux send-keys '?' && shows 'reset marks and counters' && tmux send-keys x && same failsafe &&
+is_cut() { has 'reset marks' && ! has 'and counters'; }
+tmux send-keys '?' && shows 'reset marks and counters' && tmux resize-window -x 30 -y 8 && until_true is_cut &&
+  tmux resize-window -x 80 -y 24 && shows 'reset marks and counters' && tmux send-keys x && same failsafe &&
   tmux send-keys r && shows 'lost by radio 0' && shows 'gap -' && shows 'Failsafe:'
-verdict $? "? shows help; r resets marks and counters, but not the link's state"
+verdict $? "? shows help, also in another size; r resets marks and counters, but not the link's state"
 close
 
 open 80x24 "env $utf8 '$SBUS' monitor sim" && shows ' ok' && tmux send-keys Space && shows PAUSED &&

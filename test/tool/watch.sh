@@ -128,6 +128,25 @@ pieces 400 --when 'ch2>1000' --before 0.02 --after 0.02
 [ "$(ls "$work/dir" | wc -l)" -eq 10 ] && [ "$(ends)" -eq 0 ]
 verdict $? "its events begin and end between two frames: $(ls "$work/dir" | wc -l) events"
 
+# Eight receivers of one transmitter have the same events at the same time.
+rm -rf "$work/dir"
+python3 - "$SBUS" "$work/dir" >"$work/out" 2>"$work/err" <<'END'
+import subprocess, sys, time
+from ports import Port, frame
+ports = [Port() for _ in range(8)]
+watches = [subprocess.Popen([sys.argv[1], "watch", port.name, "--when", "ch1>1000", "-o", sys.argv[2], "--before", "0", "--after", "0"],
+                            stdout=subprocess.PIPE, text=True) for port in ports]
+for raw in range(600):
+    for port in ports:
+        port.write(frame(raw // 20 % 2 * 1500))
+    time.sleep(0.009)
+for watch in watches:
+    watch.send_signal(2)
+    print("".join(line.split("/")[-1] + "\n" for line in watch.communicate()[0].splitlines() if " begin " in line), end="")
+END
+[ "$(wc -l <"$work/out")" -ge 40 ] && [ -z "$(sort "$work/out" | uniq -d)" ] || { sort "$work/out" | uniq -d; cat "$work/err"; false; }
+verdict $? "eight watches of one folder never share a file: $(wc -l <"$work/out") events"
+
 # ---- The disk
 
 # How often watch has called fsync() while 2 s of a port came: one is for the folder, one at the end.
@@ -194,6 +213,11 @@ for folder in "$work/file" "$work/no/such"; do
   ! watch sim --when failsafe -o "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be created (.*); name a folder that can be written$" "$work/err"
   verdict $? "watch says: $(cat "$work/err")"
 done
+
+(cat "$work/flight.json" && echo wrong) >"$work/wrong.json"
+rm -rf "$work/dir"
+! watch "$work/wrong.json" --when failsafe -o "$work/dir" --after 100 >"$work/out" && grep -q 'wrong.json:1001: "wrong" is not' "$work/err" && tail -n 1 "$work/out" | grep -q ' end .*, [1-9][0-9]* frames$'
+verdict $? "a wrong line ends an event: $(tail -n 1 "$work/out")"
 
 # ---- Memory
 

@@ -23,6 +23,7 @@ constexpr uint64_t FillUs = 9000;  // the period of the paper's receiver
 Receiver::Receiver(const SourceOption &option)
     : source(option), input(option.open()), silence(option.name(), "frames") {
   observer.reset(0, input->settings().characterUs());
+  input->endOnFailure();  // the other receiver goes on, and the last frame is failsafe
 }
 
 Bridge::Bridge(BridgeOptions &options, Receiver &first, Receiver *second, const std::string &to)
@@ -53,8 +54,8 @@ void Bridge::run() {
   }
   if (isBroken()) {
     _sentUs = 0;
-    fill(first.input->nowUs());
-  } else if (_isText) {
+    fill(std::max(first.input->nowUs(), other == nullptr ? 0 : other->input->nowUs()));
+  } else if (_isText && first.input->failure().empty()) {
     write(Json("end").counts(first.observer.counters()).line());
   }
   _output.finish();
@@ -62,6 +63,11 @@ void Bridge::run() {
   flush();
   if (_output.isGone()) {
     throw std::runtime_error(_to + ": no program reads it any longer; start the reader, then this again");
+  }
+  for (Receiver *const each : _receivers) {
+    if (each != nullptr) {
+      each->input->requireWhole();
+    }
   }
   if (isBroken()) {
     throw std::runtime_error(first.source.name() +

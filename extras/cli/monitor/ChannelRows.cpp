@@ -44,13 +44,13 @@ void put(std::string &row, int at, const std::string &text) {
   row.replace(static_cast<size_t>(from), text.size(), text);
 }
 
-// Draws a channel as a bar: its travel, its value, and its lowest and highest value so far.
+// Draws a channel of raw values as a bar: its travel, its value, and its lowest and highest value so far.
 class Bar {
  public:
-  // `width` is in columns. All bars of a view have the same scale.
-  Bar(const MonitorView &view, int width, bool unicode);
+  // `width` is in columns.
+  Bar(const MonitorView &view, int width, bool unicode) : _view(view), _width(width), _unicode(unicode) {}
 
-  // Returns the line above the bars: "-100 0 +100", or the ends of the scale.
+  // Returns the line above the bars: "-100 0 +100".
   std::string scale() const;
 
   void append(PageRow &row, const MonitorView::Channel &channel) const;
@@ -61,44 +61,14 @@ class Bar {
   const MonitorView &_view;
   int _width;
   bool _unicode;
-  double _low = 0;
-  double _high = 2047;
 };
 
-Bar::Bar(const MonitorView &view, int width, bool unicode) : _view(view), _width(width), _unicode(unicode) {
-  if (view.isRaw) {
-    _high = sbus::ChannelMax;
-    return;
-  }
-  bool first = true;
-  for (const MonitorView::Channel &channel : view.channels) {
-    const double low = channel.marked ? channel.low : channel.value;
-    const double high = channel.marked ? channel.high : channel.value;
-    _low = first ? low : std::min(_low, low);
-    _high = first ? high : std::max(_high, high);
-    first = false;
-  }
-}
-
 int Bar::at(double value) const {
-  if (!(_high > _low)) {
-    return 0;
-  }
-  const double part = std::clamp((value - _low) / (_high - _low), 0.0, 1.0);
-  return static_cast<int>(std::lround(part * (_width - 1)));
+  return static_cast<int>(std::lround(std::clamp(value / sbus::ChannelMax, 0.0, 1.0) * (_width - 1)));
 }
 
 std::string Bar::scale() const {
   std::string row(static_cast<size_t>(_width), ' ');
-  if (!_view.isRaw) {
-    char low[24];
-    char high[24];
-    std::snprintf(low, sizeof low, "%.4g", _low);
-    std::snprintf(high, sizeof high, "%.4g", _high);
-    put(row, 0, low);
-    put(row, _width, high);
-    return row;
-  }
   const bool wide = _width >= 24;
   put(row, at(_view.range.low) - (wide ? 2 : 1), wide ? "-100" : "-");
   put(row, at(_view.range.centre), "0");
@@ -107,22 +77,18 @@ std::string Bar::scale() const {
 }
 
 void Bar::append(PageRow &row, const MonitorView::Channel &channel) const {
-  std::vector<Sign> signs(static_cast<size_t>(_width), _view.isRaw ? Sign::Beyond : Sign::Track);
+  std::vector<Sign> signs(static_cast<size_t>(_width), Sign::Beyond);
   const auto set = [&signs](int position, Sign sign) { signs[static_cast<size_t>(position)] = sign; };
-  const int centre = _view.isRaw ? at(_view.range.centre) : 0;
-  if (_view.isRaw) {
-    const auto [left, right] = std::minmax({at(_view.range.low), at(_view.range.high)});
-    std::fill(signs.begin() + left, signs.begin() + right, Sign::Track);
-    set(left, Sign::Left);
-    set(right, Sign::Right);
-  }
+  const int centre = at(_view.range.centre);
+  const auto [left, right] = std::minmax({at(_view.range.low), at(_view.range.high)});
+  std::fill(signs.begin() + left, signs.begin() + right, Sign::Track);
+  set(left, Sign::Left);
+  set(right, Sign::Right);
   if (!channel.text.empty()) {
     const int value = at(channel.value);
     std::fill(signs.begin() + std::min(value, centre), signs.begin() + std::max(value, centre), Sign::Fill);
   }
-  if (_view.isRaw) {
-    set(centre, Sign::Centre);
-  }
+  set(centre, Sign::Centre);
   if (channel.marked) {
     set(at(channel.low), Sign::Low);
     set(at(channel.high), Sign::High);
@@ -154,8 +120,8 @@ ChannelRows::ChannelRows(const MonitorView &view, int width, bool unicode)
   };
   _hasUs = view.isRaw && take(Us, 0);
   _hasPercent = view.isRaw && take(Percent, 0);
-  const bool hasBar = left > LeastBar;
-  _hasMarks = hasBar && take(2 * _value, LeastBar + 12);
+  const bool hasBar = view.isRaw && left > LeastBar;
+  _hasMarks = left > LeastBar && take(2 * _value, hasBar ? LeastBar + 12 : 0);
   _bar = hasBar ? left - 1 : 0;
 }
 

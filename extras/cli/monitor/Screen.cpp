@@ -103,7 +103,7 @@ void Screen::draw(const std::vector<PageRow> &page) {
 
 int Screen::key() {
   const int key = getch();
-  return key == ERR ? 0 : key;
+  return key == ERR || key == KEY_RESIZE ? 0 : key;
 }
 
 }  // namespace tool

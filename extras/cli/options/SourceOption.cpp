@@ -285,8 +285,8 @@ std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const 
   rejectRows();
   const Kind kind = parsed().kind;
   const bool atOnce = _given.simulatedTime.given() || (kind == Kind::File && _given.playback != Playback::RealTime);
-  auto input = std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
-                                       leftSeconds());
+  const auto pace = atOnce ? Input::Pace::AtOnce : isLive() ? Input::Pace::Live : Input::Pace::RealTime;
+  auto input = std::make_unique<Input>(openLine(port), port, pace, leftSeconds());
   input->setStart(_given.part.fromUs(zeroUs()));
   return input;
 }

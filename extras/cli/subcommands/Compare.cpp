@@ -151,6 +151,7 @@ class Compared {
     if (!source.hasTimes()) {
       throw std::runtime_error(source.name() + ": has no times; a port, a recording or a capture is expected");
     }
+    _input->endOnFailure();
   }
 
   // See line::Compared.
@@ -214,6 +215,8 @@ void run(const Options &options) {
   write(options.json ? json(comparison, a.zeroUs())
                      : text(comparison, {a.name(), b.name()}, a.zeroUs()));
   flush();
+  one.input().requireWhole();
+  other.input().requireWhole();
 }
 
 }  // namespace

@@ -163,6 +163,7 @@ void run(const SourceOption &source, const Options &options) {
     }
   });
   SilenceNote silence(source.name(), "frames");
+  input->endOnFailure();
   input->run(
       [&](const line::Character &character) { observer.put(character); },
       [&](uint64_t nowUs) {
@@ -174,6 +175,7 @@ void run(const SourceOption &source, const Options &options) {
     controller.write(rest);
     std::this_thread::sleep_for(TimeToRead);
   }
+  input->requireWhole();
   silence.end(observer.counters().frames > 0);
 }
 

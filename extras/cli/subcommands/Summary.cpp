@@ -1,7 +1,6 @@
 // sbus summary: summarises a flight in a few lines: failsafe and loss periods, frame intervals.
 
 #include <algorithm>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -146,26 +145,22 @@ void run(const SourceOption &source, const Options &options) {
   SilenceNote silence(source.name(), "frames", source.isFile());
   line::Examination examination;
   uint64_t lastUs = 0;
-  std::exception_ptr failure;  // frames before a wrong line are summarised all the same
-  try {
-    input->run(
-        [&](const line::Character &character) {
-          if (lastUs == 0) {
-            examination.begin(flight.observer(), character.endUs);
-          }
-          lastUs = character.endUs;
-          flight.put(character);
-        },
-        [&](uint64_t nowUs) {
-          flight.idleUntil(input->knownUs());
-          silence.tick(nowUs, flight.any());
-        });
-  } catch (const std::runtime_error &) {
-    failure = std::current_exception();
-  }
+  input->endOnFailure();  // frames before a wrong line are summarised all the same
+  input->run(
+      [&](const line::Character &character) {
+        if (lastUs == 0) {
+          examination.begin(flight.observer(), character.endUs);
+        }
+        lastUs = character.endUs;
+        flight.put(character);
+      },
+      [&](uint64_t nowUs) {
+        flight.idleUntil(input->knownUs());
+        silence.tick(nowUs, flight.any());
+      });
   flight.finish();
-  if (failure && !flight.any()) {
-    std::rethrow_exception(failure);
+  if (!flight.any()) {
+    input->requireWhole();
   }
   sbus::Diagnosis diagnosis;
   diagnosis.add(examination.trial(flight.observer(), input->settings(), lastUs));
@@ -186,9 +181,7 @@ void run(const SourceOption &source, const Options &options) {
     }
     flush();
   }
-  if (failure) {
-    std::rethrow_exception(failure);
-  }
+  input->requireWhole();
 }
 
 }  // namespace

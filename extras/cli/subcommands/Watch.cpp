@@ -107,6 +107,7 @@ void run(const Options &options) {
     }
   });
   SilenceNote silence(source.name(), "frames", source.isFile());
+  input->endOnFailure();
   input->run(
       [&](const line::Character &character) { observer.put(character); },
       [&](uint64_t nowUs) {
@@ -120,6 +121,7 @@ void run(const Options &options) {
   isOver = true;
   observer.finish();
   recorder.finish();
+  input->requireWhole();
   if (recorder.failures() > 0) {
     throw std::runtime_error(options.folder + ": " + std::to_string(recorder.failures()) +
                              " recordings are incomplete; the reasons are above");

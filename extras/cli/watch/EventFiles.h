@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -29,7 +30,7 @@ class EventFiles {
     }
   }
 
-  // Removes the oldest files and returns the name of the next: "DIR/sbus-000042-2026-11-24T15-16-18Z.txt", without the
+  // Removes the oldest files, makes the next one, and returns its name: "DIR/sbus-000042-2026-11-24T15-16-18Z.txt", without the
   // date if `beginUs`, in us since 1970, is unknown. Numbers only grow, so the order is right whatever the clock says.
   std::string next(std::optional<int64_t> beginUs) {
     std::map<unsigned long, std::filesystem::directory_entry> files;
@@ -42,7 +43,7 @@ class EventFiles {
         bytes += entry.file_size(error);
       }
     }
-    const unsigned long number = files.empty() ? 1 : files.rbegin()->first + 1;
+    unsigned long number = files.empty() ? 1 : files.rbegin()->first + 1;
     while (!files.empty() && bytes > _mostBytes) {
       bytes -= std::min<uint64_t>(bytes, files.begin()->second.file_size(error));
       std::filesystem::remove(files.begin()->second.path(), error);
@@ -50,10 +51,20 @@ class EventFiles {
     }
     std::string date = beginUs ? "-" + line::wallTime(*beginUs).substr(0, 19) + "Z" : "";
     std::replace(date.begin(), date.end(), ':', '-');
-    return line::format("%s/sbus-%06lu", _folder.c_str(), number) + date + ".txt";
+    const auto name = [&] { return line::format("%s/sbus-%06lu", _folder.c_str(), number) + date + ".txt"; };
+    while (isTaken(name())) {
+      number++;
+    }
+    return name();
   }
 
  private:
+  // Makes an empty file of this name, so that no other program takes it. Returns true if one has.
+  static bool isTaken(const std::string &name) {
+    std::FILE *const file = std::fopen(name.c_str(), "wx");
+    return file == nullptr ? errno == EEXIST : std::fclose(file) != 0;
+  }
+
   // Returns 42 for sbus-000042-2026-11-24T15-16-18Z.txt; 0 for other names. After 999999 a number has more digits.
   static unsigned long numberOf(const std::string &name) {
     constexpr int EndLeast = 11;  // of "sbus-000042"

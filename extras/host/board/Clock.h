@@ -1,9 +1,12 @@
 // The clock of the simulated board, in microseconds since the program's start.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <thread>
+
+#include "line/system/System.h"
 
 namespace host {
 
@@ -21,7 +24,7 @@ class Clock {
   void spend(uint64_t us) {
     _nowUs += us;
     if (_pace == Pace::Real && _nowUs >= _nextSleepUs) {
-      std::this_thread::sleep_until(_start + std::chrono::microseconds(_nowUs));
+      std::this_thread::sleep_for(std::chrono::microseconds(_nowUs - std::min(_nowUs, line::clockUs() - _beganUs)));
       _nextSleepUs = _nowUs + SleepUs;
     }
   }
@@ -40,7 +43,7 @@ class Clock {
   uint64_t _startUs;
   uint64_t _nowUs = 0;
   uint64_t _nextSleepUs = 0;
-  std::chrono::steady_clock::time_point _start = std::chrono::steady_clock::now();
+  uint64_t _beganUs = line::clockUs();  // as line::SerialPort, whose times must not be ahead after the PC has slept
 };
 
 }  // namespace host

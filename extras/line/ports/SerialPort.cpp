@@ -30,7 +30,7 @@ SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
 bool SerialPort::next(uint64_t nowUs, Character &character) {
   if (!_started) {
     _started = true;
-    _zero = Clock::now() - std::chrono::microseconds(nowUs);
+    _zeroUs = clockUs() - nowUs;
   }
   if (_waiting.empty() && _failure.empty()) {
     poll();
@@ -62,7 +62,7 @@ std::string SerialPort::note() const {
 
 // Reads the clock, since the caller's time may be older than the bytes.
 uint64_t SerialPort::nowUs() const {
-  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _zero).count());
+  return clockUs() - _zeroUs;
 }
 
 void SerialPort::poll() {

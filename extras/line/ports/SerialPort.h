@@ -1,7 +1,6 @@
 // A real receiver at a serial port of this PC: an adapter with inverted RXD, or with an inverter in front of it.
 #pragma once
 
-#include <chrono>
 #include <deque>
 #include <optional>
 #include <string>
@@ -25,8 +24,6 @@ class SerialPort : public Line {
   std::string note() const override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   // PortFile puts FF 00 before a character with an error, and doubles each FF.
   enum class Mark { None, Escape, Bad };
 
@@ -46,7 +43,7 @@ class SerialPort : public Line {
   Mark _mark = Mark::None;
   std::deque<Character> _waiting;
   bool _started = false;
-  Clock::time_point _zero;
+  uint64_t _zeroUs = 0;  // by clockUs()
   uint64_t _lastReadUs = 0;
   uint64_t _sinceUs;       // nothing waited at that time of clockUs()
   bool _isSilent = false;  // for longer than bytes can be delayed
