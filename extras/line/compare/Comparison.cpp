@@ -87,7 +87,9 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
     _counts.first = Difference{us, "CH" + std::to_string(raw + 1), 0, {a.raw[raw], b.raw[raw]}};
   } else if (haveSwitches(a, b) && a.switches != b.switches) {
     const size_t i = a.switches[0] != b.switches[0] ? 0 : 1;
-    _counts.first = Difference{us, "CH" + std::to_string(17 + i), 0, {a.switches[i], b.switches[i]}};
+    constexpr const char *Names[][2] = {{"CH17", "CH18"}, {"DG1", "DG2"}};  // of 32 channels, CH17 is one
+    const bool is32 = std::max(a.count, b.count) == 2 * sbus::ProportionalCount;
+    _counts.first = Difference{us, Names[is32][i], 0, {a.switches[i], b.switches[i]}};
   } else if (a.failsafe != b.failsafe) {
     _counts.first = Difference{us, "failsafe", 0, {a.failsafe, b.failsafe}};
   }
