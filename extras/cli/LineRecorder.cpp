@@ -53,9 +53,8 @@ std::string LineRecorder::summary() {
     return std::to_string(_rowCount) + " rows of CSV";
   }
   _observer.finish();
-  const sbus::Counters &counters = _observer.counters();
   return std::to_string(_observer.characters()) + " characters (" + std::to_string(_observer.characterErrors()) +
-         " with errors), " + std::to_string(counters.frames) + " frames" + (_observer.has24() ? " of 24 channels" : "");
+         " with errors), " + _observer.frames();
 }
 
 void LineRecorder::decide(const line::Character &character) {

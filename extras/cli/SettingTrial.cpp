@@ -70,7 +70,7 @@ std::string SettingTrial::text() const {
   const unsigned long discarded = _observer.discardedBytes();
   return line::text(_settings) + ": " +
          (_isCsv ? "rows of CSV"
-                 : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
+                 : _observer.frames() + ", " +
                        (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
                        std::to_string(discarded) + (discarded == 1 ? " discarded byte" : " discarded bytes")) +
          (errors > 0 ? ", " + std::to_string(errors) + (errors == 1 ? " character error" : " character errors") : "") +
@@ -105,17 +105,17 @@ std::string SettingTrial::figures(bool hasTimes) const {
   const std::string lost =
       "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) + " % with the lost-frame flag";
   if (!hasTimes) {
-    return _variant.text() + ": times are not known" + lost + "\n";
+    return variant() + ": times are not known" + lost + "\n";
   }
   const uint64_t silent = silentUs(&Silence::us);
   const std::vector<uint64_t> periods = this->periods();
   const uint64_t us = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
   const auto aSecond = [us](uint64_t count) { return std::to_string((count * 1000000 + us / 2) / us); };
-  const std::string rate = us == 0 ? frames() + ", too few for a rate"
+  const std::string rate = us == 0 ? _observer.frames() + ", too few for a rate"
                                    : aSecond(periods.size()) + " frames a second and " +
                                          aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
                                          std::to_string(usualPeriodUs(periods, us)) + " us";
-  return _variant.text() + ": " + rate + lost +
+  return variant() + ": " + rate + lost +
          (silent == 0 ? "" : line::format("; silent for %.2f s", static_cast<double>(silent) / 1e6)) + "\n";
 }
 
@@ -138,7 +138,6 @@ std::string SettingTrial::telemetry() const {
 }
 
 void SettingTrial::take(const line::Stretch &stretch) {
-  _variant.take(stretch);
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
     _ends.push_back(stretch.endUs());
@@ -195,10 +194,6 @@ unsigned SettingTrial::periodMs() const {
 // no single period is exact.
 uint64_t SettingTrial::usualPeriodUs(const std::vector<uint64_t> &periods, uint64_t us) const {
   return _lateUs > 0 ? us / periods.size() : median(periods);
-}
-
-std::string SettingTrial::frames() const {
-  return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
 }
 
 // Returns the gap to assume after the last frame of a recording.

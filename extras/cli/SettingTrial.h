@@ -10,7 +10,6 @@
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
-#include "line/report/DetectedVariant.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -36,7 +35,7 @@ class SettingTrial {
   sbus::Trial trial() const { return _examination.trial(_observer, _settings, _endUs); }
 
   // Returns "S.BUS", "S.BUS2" ...; empty without frames.
-  std::string variant() const { return _variant.text(); }
+  std::string variant() const { return _observer.variant().text(); }
 
   // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 discarded bytes".
   std::string text() const;
@@ -77,13 +76,11 @@ class SettingTrial {
   std::vector<uint64_t> periods() const;
   uint64_t usualPeriodUs(const std::vector<uint64_t> &periods, uint64_t us) const;
   uint64_t gapUs() const;
-  std::string frames() const;
   sbus::Counters counters() const { return _observer.counters(); }
 
   const line::LineSettings _settings;
   line::Observer _observer;
   line::Examination _examination;
-  line::DetectedVariant _variant;
   line::Readings _readings;
   std::vector<uint64_t> _ends;  // of the frames, in us
   std::vector<Silence> _silences;

@@ -87,12 +87,6 @@ sbus::Counters Decoders::counters() const {
   return counters;
 }
 
-sbus::Counters Decoders::counters16() const {
-  sbus::Counters counters = _finder16.events().withoutErrors(_finder16.counters());
-  counters.otherSizeFrames = std::max(counters.otherSizeFrames, has24() ? _finder24.counters().frames : 0);
-  return counters;
-}
-
 const std::vector<Piece> &Decoders::decide(bool isOver) {
   const int more24 = std::exchange(_finder24.events().votes, 0) - std::exchange(_finder16.events().votes, 0);
   _lead24 = std::clamp(_lead24 + more24, -LeadMost, LeadMost);

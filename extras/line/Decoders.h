@@ -70,9 +70,8 @@ class Decoders {
 
   bool has24() const { return _is24; }
   sbus::Counters counters() const;
-  // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, otherSizeFrames is the
-  // other decoder's number of frames.
-  sbus::Counters counters16() const;
+  // Returns the counters of the decoder for 16 channels.
+  sbus::Counters counters16() const { return _finder16.events().withoutErrors(_finder16.counters()); }
 
   // Returns the places of the right decoder.
   const Places &places() const {

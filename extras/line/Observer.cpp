@@ -39,7 +39,9 @@ sbus::Counters Observer::counters() const {
 }
 
 sbus::Counters Observer::counters16() const {
-  return withJoins(_decoders.counters16());
+  sbus::Counters counters = withJoins(_decoders.counters16());
+  counters.otherSizeFrames = variant().frames24();
+  return counters;
 }
 
 // Counts the frames with header 2F at which the line was joined, and which a decoder discarded.
@@ -53,6 +55,12 @@ sbus::Counters Observer::withJoins(sbus::Counters counters) const {
 unsigned long Observer::discardedBytes() const {
   const unsigned long all = counters().discardedBytes;
   return all - std::min(all, _telemetry.characters());
+}
+
+std::string Observer::frames() const {
+  const uint32_t all = counters().frames, of24 = variant().frames24();
+  return std::to_string(all) + (all == 1 ? " frame" : " frames") +
+         (of24 == 0 ? "" : (variant().frames16() == 0 ? "" : ", " + std::to_string(of24)) + " of 24 channels");
 }
 
 unsigned Observer::linkQuality(uint64_t nowUs) {

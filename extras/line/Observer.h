@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "line/Decoders.h"
@@ -53,7 +54,9 @@ class Observer : public Statistics {
   sbus::Finding senderFault() const { return _faults.found(); }
 
   unsigned long characterErrors() const { return _characterErrors; }
-  // Returns true if frames have 24 channels, not 16.
+  // Returns "1 frame", "20 frames of 24 channels", or of a line that changed "30 frames, 20 of 24 channels".
+  std::string frames() const;
+  // Returns true if frames have 24 channels, not 16: the newest ones.
   bool has24() const { return _decoders.has24(); }
   // Returns sbus::LinkQuality of the last second, 0..100.
   unsigned linkQuality(uint64_t nowUs);
@@ -66,7 +69,8 @@ class Observer : public Statistics {
   // Returns the right decoder's counters, plus frames with header 2F at the beginning or after a silence.
   sbus::Counters counters() const;
 
-  // Returns the counters of the decoder for 16 channels, even if the other is the right one: for sbus::Diagnosis.
+  // Returns the counters of the decoder for 16 channels, even if the other is the right one: for sbus::Diagnosis. Its
+  // otherSizeFrames are the other decoder's frames, also where gaps do not show their size.
   sbus::Counters counters16() const;
 
  private:

@@ -37,6 +37,7 @@ void Statistics::add(const Stretch &frame) {
   std::array<uint8_t, sbus::FrameSize24> bytes{};
   std::transform(frame.characters.begin(), frame.characters.end(), bytes.begin(),
                  [](const Character &character) { return character.value; });
+  _variant.take(frame.kind, bytes[frame.characters.size() - 1]);
   if (frame.kind == Stretch::Kind::Extra) {
     sbus::unpackExtra(bytes.data(), &_newest.raw[sbus::ProportionalCount]);
     _has32 = _has32 || _sinceExtra < ExtraWithin;

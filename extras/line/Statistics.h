@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "line/DetectedVariant.h"
 #include "line/Segments.h"
 #include "line/SmoothedLink.h"
 #include "sbus/Diagnosis.h"
@@ -85,6 +86,7 @@ class Statistics : public Arrivals {
   // Returns the travel of a channel, counted from 0, in frames without a flag, since failsafe values are not stick
   // positions.
   const Extent &travel(size_t channel) const { return _travel[channel]; }
+  const DetectedVariant &variant() const { return _variant; }
   // Returns how many frames had no pulses.
   uint32_t pulseless() const { return _pulseless; }
   void resetMarks();
@@ -96,6 +98,7 @@ class Statistics : public Arrivals {
   static constexpr unsigned ExtraWithin = 8, NoExtra = 50;  // frames
 
   Values _newest;
+  DetectedVariant _variant;
   bool _has32 = false;             // two frames with header 2F came within ExtraWithin, and then always one within NoExtra
   unsigned _sinceExtra = NoExtra;  // frames since the newest of them, at most this many
   uint32_t _pulseless = 0;

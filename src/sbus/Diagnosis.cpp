@@ -57,6 +57,7 @@ const char Words[] SBUS_FLASH =
 
 constexpr uint32_t ImpairedSize = FrameSize - 1;  // bytes: mostly one character is missing
 constexpr uint32_t ImpairedPart = 100;            // more than 1/100 of the frames, and one more, impaired: noise
+constexpr uint32_t OtherSizeMax = 8;              // frames of the other size may come beside these
 constexpr uint32_t LossyPart = 10;                // more than 1/10 lost: lossy
 constexpr uint32_t NoRadioPart = 2;               // more than 1/2 lost: no radio
 
@@ -144,10 +145,14 @@ Finding Diagnosis::finding() const {
   if (counters.shortfalls != 0) {
     return Finding::InterruptsOff;
   }
+  // Of 55 frames 54 are recognised by their size, and 45 with 30 disturbances a second; in a wrong setting at most one,
+  // and 3 on a line of 16 channels with 3000. A line may also change from one size to the other.
+  const uint32_t byChance = framesCome ? OtherSizeMax + counters.frames / ImpairedPart : _trial.ms / PeriodMax;
+  if (counters.otherSizeFrames > byChance) {
+    return Finding::Channels24;
+  }
   if (!framesCome) {
-    // Of 55 frames 54 are recognised by their size, and 45 with 30 disturbances a second; in a wrong setting at most
-    // one, and 3 on a line of 16 channels with 3000.
-    return counters.otherSizeFrames * PeriodMax > _trial.ms ? Finding::Channels24 : Finding::NoFrames;
+    return Finding::NoFrames;
   }
   const uint32_t damaged = impairedFrames(counters);
   if (damaged > 1 + counters.frames / ImpairedPart) {

@@ -271,3 +271,26 @@ TEST_CASE("a stick that moves to and fro again and again: another delay would ag
   CHECK_FALSE(lines.comparison.aligner().isCertain());
   CHECK(lines.comparison.aligner().evidence().find("not certain") != std::string::npos);
 }
+
+TEST_CASE("the first difference has the switch's name: CH17 and CH18 of 16 channels, DG1 and DG2 of 32") {
+  const struct {
+    std::array<unsigned, 2> channels;
+    size_t which;
+    const char *name;
+  } rows[] = {{{16, 16}, 0, "CH17"}, {{16, 16}, 1, "CH18"}, {{32, 32}, 0, "DG1"}, {{32, 32}, 1, "DG2"}, {{16, 32}, 0, "DG1"}};
+  for (const auto &row : rows) {
+    CAPTURE(row.name);
+    Lines lines;
+    for (int i = 0; i < 3000; i++) {
+      for (const size_t side : {size_t{0}, size_t{1}}) {
+        line::Values values = valuesAt(i, 0);
+        values.count = row.channels[side];
+        values.switches[row.which] = side == 1 && i == 2000;
+        lines.comparison.put(side, 1000000 + i * PeriodUs, values);
+      }
+    }
+    lines.comparison.finish();
+    REQUIRE(lines.comparison.counts().first);
+    CHECK(lines.comparison.counts().first->name == row.name);
+  }
+}

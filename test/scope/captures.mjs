@@ -65,13 +65,14 @@ export default async function () {
     ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted', '1 s'],
     ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted', '0.5 s'],
   ]) {
-    await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz and .xz, has the frames and times of the recording, and names its signal`, async (page) => {
+    await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz, .xz and .zip, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
       const capture = forms[form](edges(readFileSync(file, 'utf8'), idle));
       await playToEnd(page, file);
       const wanted = rows((await downloaded(page, '#csv')).text);
       assert.ok(wanted.length > 0);
-      for (const [name, content] of [[`wire.${form}`, capture], [`wire.${form}.gz`, gzipSync(capture)], [`wire.${form}.xz`, xz(capture)]]) {
+      const zip = pack([[`__MACOSX/._wire.${form}`, Buffer.from('Mac OS X')], [`wire.${form}`, Buffer.from(capture)]]); // as macOS packs it
+      for (const [name, content] of [[`wire.${form}`, capture], [`wire.${form}.gz`, gzipSync(capture)], [`wire.${form}.xz`, xz(capture)], [`wire.${form}.zip`, zip]]) {
         await playToEnd(page, name, content);
         assert.equal(await page.textContent('#title'), `Capture ${name}, signal ${signal}`);
         assert.equal(await page.textContent('#window'), width); // all of it

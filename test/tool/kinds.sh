@@ -30,7 +30,9 @@ for name in "line.txt", "line.vcd", "rows.csv":
     keep(end + "-misnamed.bin", gzip.compress(text.encode()))
     with zipfile.ZipFile(work + f"{stem}-{end}.zip", "w", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr("folder/", b"")
+        packed.writestr("folder/.DS_Store", b"\0\0\0\1Bud1")  # as macOS packs it
         packed.writestr("folder/" + name, text)
+        packed.writestr("__MACOSX/folder/._" + name, b"\0\5\x16\7\0\2\0\0Mac OS X        ")
     kinds.append(f"{name} {stem}-{end}.zip")
 for name in "rows", "table":  # as spreadsheets in German save them: decimal commas
     text = open(work + name + ".csv").read().replace(".", ",,")

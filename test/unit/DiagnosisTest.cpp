@@ -110,6 +110,10 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
       {"24 channels, polled too seldom", {Noise.other(6).overflows(1)}, Finding::PolledTooSeldom, 0},
       {"16 channels, so noisy that three have the size of 24", {Came::bytes(1302).other(3)}, Finding::NoFrames, 0},
       {"16 channels, six such before the first", {Good.other(6), Noise, Noise, Noise}, Finding::AllWell, 0},
+      {"16 channels, then nine of 24", {Good.skipped(9 * 36).other(9)}, Finding::Channels24, 0},
+      {"or eight", {Good.skipped(8 * 36).other(8)}, Finding::AllWellAndMore, 0},
+      {"a hundred times as many of 16 as of 24", {Came::frames(10000).other(108)}, Finding::AllWell, 0},
+      {"one more of 24", {Came::frames(10000).other(109)}, Finding::Channels24, 0},
       {"a wrong setting comes before the radio", {Noise, Noise, Good.failsafe(55), Noise}, Finding::WrongPolarity, 2},
       {"and before slow polls", {Noise, Noise, Good.overflows(9), Noise}, Finding::WrongPolarity, 2},
       // The setting is right.

@@ -32,7 +32,7 @@ lines() {
       else if (kind == "other") print us, "55 AA 01 02 03 04 05 06"
       else if (kind == "ibus") print us, "20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3"
       else if (kind == "crsf") print us, "C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41"
-      else if (kind == "24") print us, twentyfour, "00 00"
+      else if (kind == "24" || (kind == "16to24" && us > 1500000) || (kind == "24to16" && us < 300000)) print us, twentyfour, "00 00"
       else if (kind == "failsafe") print us, sixteen, "0C 00"
       else if (kind == "no-pulses") print us, "0F", zero, zero, "00 00"
       else if (kind == "four-zero") print us, "0F 00 00 00 00 00 00 C0 07 3E F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 00 00"
@@ -77,11 +77,11 @@ at_adapter() {
     END { packet(timer) }'
 }
 
-for kind in 80ms 80ms-missing 120ms 200ms spread paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
+for kind in 80ms 80ms-missing 120ms 200ms spread paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other 24 16to24 24to16 half cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
 head -n 3 "$folder/good.txt" >"$folder/one.txt"
 head -n 4 "$folder/good.txt" >"$folder/two.txt"
-for kind in good 24 sbus2; do
+for kind in good 24 24to16 sbus2; do
   at_adapter <"$folder/$kind.txt" >"$folder/adapter-$kind.txt"
 done

@@ -71,7 +71,6 @@ void MonitoredLine::reset() {
 }
 
 void MonitoredLine::take(const line::Stretch &stretch) {
-  _variant.take(stretch);
   _readings.put(_observer.telemetry().proved());
   _isCsv = _isCsv && !stretch.isFrame();
 }
@@ -161,7 +160,7 @@ std::string MonitoredLine::json(uint64_t nowUs, int64_t zeroUs) {
 
 void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
-  const std::string variant = _variant.text();
+  const std::string variant = _observer.variant().text();
   view.kind = (variant.empty() ? "" : variant + ", ") + std::to_string(_settings.baud) + " baud";
   const bool seen = values.count > 0;
   view.channels.resize(seen ? values.count : sbus::ProportionalCount);

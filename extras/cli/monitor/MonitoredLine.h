@@ -7,7 +7,6 @@
 #include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
-#include "line/report/DetectedVariant.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -57,7 +56,6 @@ class MonitoredLine {
   const sbus::Range _pulses;
 
   line::Observer _observer;
-  line::DetectedVariant _variant;
   line::Readings _readings;
   sbus::Counters _before{};  // at the last reset
   unsigned long _errorsBefore = 0;

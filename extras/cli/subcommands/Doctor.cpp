@@ -14,7 +14,6 @@
 #include "cli/subcommands/Subcommands.h"
 #include "line/Examination.h"
 #include "line/Format.h"
-#include "line/report/DetectedVariant.h"
 
 namespace tool {
 

@@ -11,7 +11,7 @@ namespace {
 
 using Number = unsigned long;
 
-// Prints "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe".
+// Prints "25 characters, 1 frame, of them 0 with lost frame, 0 with failsafe".
 void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   observer.idleUntil(nowUs);
   const sbus::Counters &counters = observer.counters();
@@ -19,8 +19,8 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   if (observer.characterErrors() > 0) {
     std::fprintf(stderr, " (%lu with errors)", observer.characterErrors());
   }
-  std::fprintf(stderr, ", %lu frames%s, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
-               observer.has24() ? " of 24 channels" : "", Number{counters.lostFrames}, Number{counters.failsafeFrames});
+  std::fprintf(stderr, ", %s, of them %lu with lost frame, %lu with failsafe", observer.frames().c_str(),
+               Number{counters.lostFrames}, Number{counters.failsafeFrames});
   if (counters.extraFrames > 0) {
     std::fprintf(stderr, ", and %lu with CH17..CH32", Number{counters.extraFrames});
   }

@@ -34,15 +34,6 @@ constexpr struct {
     {"start", What::Start},
 };
 
-// Returns the unit of time that a text names, in ns, or 0 if it names none.
-double unitIn(std::string_view text) {
-  return hasWord(text, {"s", "sec", "second", "seconds"})         ? 1e9
-         : hasWord(text, {"ms", "millisecond", "milliseconds"})   ? 1e6
-         : hasWord(text, {"us", "microsecond", "microseconds"})   ? 1e3
-         : hasWord(text, {"ns", "nanosecond", "nanoseconds"})     ? 1
-                                                                  : 0;
-}
-
 bool isLogic(std::string_view field) {
   return field.size() == 1 && std::string_view("01xXzZ").find(field.front()) != std::string_view::npos;
 }
@@ -321,6 +312,16 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> word
     }
   }
   return false;
+}
+
+double unitIn(std::string_view text) {
+  return hasWord(text, {"s", "sec", "second", "seconds"})         ? 1e9
+         : hasWord(text, {"ms", "millisecond", "milliseconds"})   ? 1e6
+         : hasWord(text, {"us", "microsecond", "microseconds"})   ? 1e3
+         : hasWord(text, {"ns", "nanosecond", "nanoseconds"})     ? 1
+         : hasWord(text, {"ps"})                                  ? 1e-3
+         : hasWord(text, {"fs"})                                  ? 1e-6
+                                                                  : 0;
 }
 
 double unitOf(std::string_view title) {

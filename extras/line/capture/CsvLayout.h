@@ -17,7 +17,10 @@ void splitRow(std::string_view row, char separator, Fields &fields);
 // Returns true if `text` has one of these words, in any case. A micro sign in any encoding counts as u.
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> words);
 
-// Returns the unit of time in a title, in ns; by default a second.
+// Returns the unit of time that a text names, in ns, or 0 if it names none.
+double unitIn(std::string_view text);
+
+// Returns the same; by default a second.
 double unitOf(std::string_view title);
 
 // Takes a voltage off the front: a number, 0x and hexadecimal digits, as Rigol writes eight probes, or an infinity sign,

@@ -230,7 +230,9 @@ void PackedFile::findOnly() {
   lseek(_file, 0, SEEK_SET);
   open();
   for (; !_atEnd; next()) {
-    if (_entry.empty() || _entry.back() == '/') {
+    // macOS adds __MACOSX/._NAME to each file, and .DS_Store to each folder.
+    const std::string name = _entry.substr(_entry.rfind('/') + 1);
+    if (name.empty() || name.front() == '.') {
       continue;
     }
     if (!only.empty()) {

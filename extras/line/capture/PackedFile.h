@@ -45,7 +45,8 @@ class PackedFile {
   // Returns the first 64 bytes as they are in the file; nothing of a pipe.
   std::string begin() const;
 
-  // Goes to the only file in a ZIP; leaves other files as they are. Throws std::runtime_error if the ZIP holds several.
+  // Goes to the only file in a ZIP that is not hidden; leaves other files as they are. Throws std::runtime_error if the
+  // ZIP holds several.
   void findOnly();
 
   // Returns the name of the packed file: without .gz or .xz, or the ZIP's entry.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "line/capture/CsvLayout.h"
 #include "line/capture/Parsing.h"
 
 namespace line {
@@ -81,22 +81,9 @@ std::string VcdReader::endSection() {
     const char *at = text.data();
     double number = 0;
     const bool isNumber = takeNumber(at, text.data() + text.size(), number);
-    const std::string unit(at, static_cast<size_t>(text.data() + text.size() - at));
-    const struct {
-      const char *name;
-      uint64_t numerator, denominator;
-    } units[] = {{"s", 1000000000, 1}, {"ms", 1000000, 1}, {"us", 1000, 1},
-                 {"ns", 1, 1},         {"ps", 1, 1000},    {"fs", 1, 1000000}};
-    for (const auto &row : units) {
-      if (isNumber && unit == row.name && (number == 1 || number == 10 || number == 100)) {
-        _unitNumerator = row.numerator * static_cast<uint64_t>(number);
-        _unitDenominator = row.denominator;
-        const uint64_t common = std::gcd(_unitNumerator, _unitDenominator);
-        _unitNumerator /= common;
-        _unitDenominator /= common;
-      }
-    }
-    return _unitNumerator != 0
+    const double unitNs = unitIn({at, static_cast<size_t>(text.data() + text.size() - at)});
+    _unitNs = isNumber && (number == 1 || number == 10 || number == 100) && unitNs > 0 ? number * unitNs : _unitNs;
+    return _unitNs > 0
                ? ""
                : quoted(text) + " is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected";
   }
@@ -107,7 +94,7 @@ std::string VcdReader::endSection() {
   } else if (_section == "$var") {
     return defineVariable();
   } else if (_section == "$enddefinitions") {
-    if (_unitNumerator == 0) {
+    if (_unitNs == 0) {
       return "there is no $timescale before this line: one such as $timescale 1 us $end is expected";
     }
     if (_names.empty()) {
@@ -280,10 +267,10 @@ std::string VcdReader::setTime(std::string_view digits) {
   if (digits.size() > DigitsMax || !parseWhole(digits, time)) {
     return quoted(digits) + " is not a time: a whole number is expected after #";
   }
-  if (time / _unitDenominator > static_cast<uint64_t>(CaptureTimeMaxNs) / _unitNumerator) {
+  if (static_cast<double>(time) * _unitNs > static_cast<double>(CaptureTimeMaxNs)) {
     return "time " + std::to_string(time) + " is later than a year: is the timescale right?";
   }
-  const auto ns = static_cast<int64_t>(time * _unitNumerator / _unitDenominator);
+  const int64_t ns = std::llround(static_cast<double>(time) * _unitNs);
   if (ns < _ns) {
     return "time " + std::to_string(time) + " is before the previous one: times in order are expected";
   }

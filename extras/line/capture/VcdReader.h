@@ -60,8 +60,7 @@ class VcdReader : public CaptureReader {
   std::vector<size_t> _widths;           // by signal, if it is a variable's lowest bit: the variable's
   std::array<size_t, 128> _byCharacter;  // signals with a code of one character
   std::unordered_map<std::string, size_t> _byCode;
-  uint64_t _unitNumerator = 0;  // ns of a unit of time
-  uint64_t _unitDenominator = 1;
+  double _unitNs = 0;  // of time; 0 before it is told
   int64_t _ns = 0;
 };
 

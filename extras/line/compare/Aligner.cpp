@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "line/Format.h"
 
@@ -48,10 +47,13 @@ bool Aligner::isChange(size_t side, int64_t us, const Values &values) {
 }
 
 // Notes a gap, with its length in frames, and flags that are not those of the previous frame.
-void Aligner::noteLosses(size_t side, int64_t us, const Values &values) {
+void Aligner::noteLosses(size_t side, int64_t us, const Values &values, int64_t lateUs) {
   constexpr uint64_t FlagsBegin = 1000000;
   Side &each = _sides[side];
   const int64_t intervalUs = us - each.newestUs;
+  const auto late = static_cast<uint32_t>(lateUs);
+  each.rate.put(static_cast<uint64_t>(us), late,
+                each.newestUs != NeverUs && gapOf(static_cast<uint64_t>(each.newestUs), static_cast<uint64_t>(us), late) == Gap::Ordinary);
   if (each.newestUs != NeverUs && each.intervalUs > 0 && 2 * intervalUs > 3 * each.intervalUs) {
     _losses.put(side, us, static_cast<uint64_t>((intervalUs + each.intervalUs / 2) / each.intervalUs));
   } else if (each.newestUs != NeverUs) {
@@ -105,7 +107,7 @@ void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs)
   while (!late.empty() && late.front().second < us - 2 * TryMostUs) {
     late.pop_front();
   }
-  noteLosses(side, us, values);
+  noteLosses(side, us, values, lateUs);
   _sides[side].frames.push_back({us, isChange(side, us, values), values, lateUs});
   auto &changes = _sides[side].changes;
   if (_sides[side].frames.back().isChange) {
@@ -208,7 +210,8 @@ bool Aligner::findDelay(bool isEnd) {
     if (_by == DelayBy::Times) {
       searchLosses();
     }
-    findPeriod();
+    const double most = std::max(perSecond(0), perSecond(1));
+    _periodUs = most > 0 ? std::clamp<int64_t>(std::llround(1e6 / most), 4000, 30000) : _periodUs;
   }
   return _hasDelay;
 }
@@ -255,23 +258,6 @@ void Aligner::findDelayAgain(bool isEnd) {
   for (auto found = _found.lower_bound(fromUs - WindowUs); found != _found.end(); ++found) {
     found->second.isLate = true;
   }
-}
-
-// Sets the period to the shorter frame period of the two.
-void Aligner::findPeriod() {
-  int64_t leastUs = INT64_MAX;
-  for (const Side &side : _sides) {
-    std::vector<int64_t> intervals;
-    for (size_t i = 1; i < side.frames.size(); i++) {
-      intervals.push_back(side.frames[i].us - side.frames[i - 1].us);
-    }
-    if (!intervals.empty()) {
-      std::nth_element(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2),
-                       intervals.end());
-      leastUs = std::min(leastUs, intervals[intervals.size() / 2]);
-    }
-  }
-  _periodUs = leastUs < INT64_MAX ? std::min<int64_t>(std::max<int64_t>(leastUs, 4000), 30000) : _periodUs;
 }
 
 // Returns true if both sides have had these channels only once within the last seconds: a resting stick may alternate

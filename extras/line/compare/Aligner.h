@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "line/FrameRate.h"
 #include "line/Statistics.h"
 #include "line/compare/DelaySearch.h"
 #include "sbus/Frame.h"
@@ -62,6 +63,8 @@ class Aligner {
   DelayBy by() const { return _by; }
   // Returns false if the delay may be wrong.
   bool isCertain() const { return _by != DelayBy::Times && _searched.isCertain(); }
+  // Returns FrameRate::perSecond() of a side.
+  double perSecond(size_t side) const { return _sides[side].rate.perSecond(); }
   // Returns "the contents: 55 of 57 agree", which counts changes.
   std::string evidence() const;
 
@@ -82,6 +85,7 @@ class Aligner {
     int64_t knownUs = NeverUs;
     int64_t newestUs = NeverUs;  // of the newest frame
     int64_t intervalUs = 0;      // before it
+    FrameRate rate;
   };
 
   bool isSame(const Values &a, const Values &b) const;
@@ -92,14 +96,13 @@ class Aligner {
   size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const;
   void work(bool isEnd);
   bool findDelay(bool isEnd);
-  void noteLosses(size_t side, int64_t us, const Values &values);
+  void noteLosses(size_t side, int64_t us, const Values &values, int64_t lateUs);
   bool searchContents(bool isLast);
   void searchLosses();
   void take(DelayBy by, const DelaySearch::Result &result);
   void checkDelay();
   std::array<int64_t, 2> knownUs() const { return {_sides[0].knownUs, _sides[1].knownUs}; }
   void findDelayAgain(bool isEnd);
-  void findPeriod();
   void match(const Frame &frame);
   bool pairMoved(size_t side);
   void giveUpSecond(int64_t beforeUs);

@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "line/Format.h"
-#include "line/Silence.h"
 
 namespace line {
 
@@ -23,9 +22,6 @@ Comparison::Comparison(std::function<void(const LostSpan &)> tell)
 
 void Comparison::put(size_t side, int64_t us, const Values &values, int64_t lateUs) {
   Line &line = _lines[side];
-  const auto late = static_cast<uint32_t>(lateUs);
-  line.rate.put(static_cast<uint64_t>(us), late, line.channels > 0 && gapOf(line.lastUs, static_cast<uint64_t>(us), late) == Gap::Ordinary);
-  line.lastUs = static_cast<uint64_t>(us);
   line.channels = values.count;
   for (size_t i = 0; i < values.count && !values.failsafe; i++) {
     line.least[i] = std::min(line.least[i], values.raw[i]);
@@ -87,7 +83,9 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
     _counts.first = Difference{us, "CH" + std::to_string(raw + 1), 0, {a.raw[raw], b.raw[raw]}};
   } else if (haveSwitches(a, b) && a.switches != b.switches) {
     const size_t i = a.switches[0] != b.switches[0] ? 0 : 1;
-    _counts.first = Difference{us, "CH" + std::to_string(17 + i), 0, {a.switches[i], b.switches[i]}};
+    constexpr const char *Names[][2] = {{"CH17", "CH18"}, {"DG1", "DG2"}};  // of 32 channels, CH17 is one
+    const bool is32 = std::max(a.count, b.count) == 2 * sbus::ProportionalCount;
+    _counts.first = Difference{us, Names[is32][i], 0, {a.switches[i], b.switches[i]}};
   } else if (a.failsafe != b.failsafe) {
     _counts.first = Difference{us, "failsafe", 0, {a.failsafe, b.failsafe}};
   }
@@ -169,7 +167,7 @@ Comparison::Counts Comparison::soFar() const {
 
 std::string Comparison::rates() const {
   constexpr unsigned long Least = 100;  // frames
-  const double a = _lines[0].rate.perSecond(), b = _lines[1].rate.perSecond();
+  const double a = _aligner.perSecond(0), b = _aligner.perSecond(1);
   return std::min(_counts.frames[0], _counts.frames[1]) < Least || std::max(a, b) < 1.2 * std::min(a, b)
              ? ""
              : format("A sends every %.2f ms, B every %.2f ms: frames differ while sticks move.", 1000 / a, 1000 / b);

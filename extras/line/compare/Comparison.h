@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "line/FrameRate.h"
 #include "line/compare/Aligner.h"
 #include "line/compare/Delays.h"
 
@@ -87,8 +86,6 @@ class Comparison {
 
     decltype(Values::raw) least, most{};  // of each channel
     size_t channels = 0;
-    FrameRate rate;
-    uint64_t lastUs = 0;
   };
 
   void take(int64_t us, const Alignment &found);

@@ -93,19 +93,15 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
   }
 }
 
-// Takes the offset off the beginning of a line: 00000010, 0010:, 00:10:, 0x20000010 <name+16>:.
+// Takes the offset off the beginning of a line: 00000010, 0010:, 0x20000010.
 bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
   std::string_view rest = withoutLabel(text);
   std::string_view word = takeWord(rest);
-  const bool isPair = word.size() == 6 && word[2] == ':' && word[5] == ':';
-  std::string digits = isPair ? std::string{word[0], word[1], word[3], word[4]} : std::string(word);
+  std::string digits(word);
   digits.resize(digits.size() - (!digits.empty() && digits.back() == ':' ? 1 : 0));
   digits.erase(0, digits.compare(0, 2, "0x") == 0 ? 2 : 0);
   if (digits.size() < 4 || !parseWhole(digits, offset, _offsetBase)) {
     return false;
-  }
-  if (withoutBlanks(rest).substr(0, 1) == "<") {
-    rest.remove_prefix(std::min(rest.size(), rest.find(">:") + 2));
   }
   text = rest;
   return true;
@@ -247,9 +243,7 @@ std::string_view ByteText::numbersOf(std::string_view line) const {
       break;
     }
     if (countWords(rest) == 0) {
-      const bool isNoByte = countWords(word) == 0 || text.size() < whole.size() ||
-                            !isOneOf(word.front(), "0123456789abcdefABCDEF");
-      return isNoByte ? std::string_view() : text;
+      return {};
     }
   }
   // An address, and the text of a dump behind two blanks.

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "line/DetectedVariant.h"
 #include "line/FrameRate.h"
 #include "line/Segments.h"
 #include "line/report/Curves.h"
-#include "line/report/DetectedVariant.h"
 #include "line/report/FlagSpans.h"
 
 namespace line {

@@ -73,7 +73,7 @@ export class Tape {
   private async readZip(file: File, taken: (count: number) => void): Promise<string> {
     const { calls } = this.native;
     const entries = await directory(file);
-    const files = [...entries].filter(([name]) => !name.endsWith('/'));
+    const files = [...entries].filter(([name]) => !/(^|\/)(\.[^/]*)?$/.test(name)); // macOS adds __MACOSX/._NAME, .DS_Store
     if (!entries.has('metadata')) {
       const text = new Text(this.native);
       if (files.length === 1) {
