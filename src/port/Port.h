@@ -76,7 +76,7 @@ class Port : private CoreKind::Pins {
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
 
   // Returns true if bytes may have been lost before the `waiting` ones.
-  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting > 2u * _half - Late; }
+  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + Late > 2u * _half; }
 
   // Returns for how many characters the port waits for more before it hands over less than a burst, or seems to wait,
   // as the clock counts.
