@@ -29,6 +29,7 @@ constexpr uint8_t FrameSize = 25;     ///< bytes
 constexpr uint8_t HeaderByte = 0x0F;  ///< the first byte; it may also occur in the payload
 /// Header of a frame with the extra channels CH17..CH32, which Futaba's FASSTest 26 sends before each frame.
 constexpr uint8_t ExtraHeader = 0x2F;
+constexpr uint8_t AnyHeader = 0xDF;  ///< mask: of both headers, 0F and 2F, it leaves HeaderByte
 constexpr uint8_t PayloadIndex = 1;  ///< index of the first of 22 bytes
 constexpr uint8_t FlagsIndex = 23;   ///< index of the flags byte
 constexpr uint8_t EndIndex = 24;     ///< index of the end byte
@@ -54,13 +55,13 @@ struct LineVariant {
   uint8_t end;         ///< the end byte's bits within endMask
   uint8_t endMask;     ///< the bits of the end byte that identify the variant; the others name the telemetry group
   uint8_t tailSize;    ///< characters that follow each frame directly
-  uint8_t headerMask;  ///< 0xDF: frames with extra channels (header 2F) may come in between; otherwise 0xFF
+  uint8_t headerMask;  ///< AnyHeader: frames with extra channels (header 2F) may come in between; otherwise 0xFF
 };
 
 /// The variants known from captures of real receivers. A new variant is a new row with its capture.
 constexpr LineVariant LineVariants[] = {
-    {0x00, 0xFF, 0, 0xDF},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
-    {0x04, 0xCF, 0, 0xDF},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
+    {0x00, 0xFF, 0, AnyHeader},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
+    {0x04, 0xCF, 0, AnyHeader},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
     {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
 };
 constexpr uint8_t SlotsVariant = 1;                                               ///< the row with telemetry slots
@@ -103,7 +104,7 @@ constexpr bool isFrame(const uint8_t *frame) {
   return frame[0] == HeaderByte && isFlagsByte(frame[FlagsIndex]) && isEndByte(frame[EndIndex]);
 }
 
-/// Returns the index of the first header within `frame` (`size` bytes) that follows an end byte of `variant`, or of any
+/// Returns the index of the first header, 0F or 2F, within `frame` (`size` bytes) that follows an end byte of `variant`, or of any
 /// variant for UnknownVariant; otherwise `size`.
 int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 
