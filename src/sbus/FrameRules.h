@@ -113,12 +113,19 @@ SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
   return !c.hasLineVariant();
 }
 
+/// Returns true if telemetry slots may follow the frames of this variant.
+template <typename Format>
+SBUS_IN_LINE bool hasSlots(uint8_t variant) {
+  return Format::HasSlots && variant == SlotsVariant;
+}
+
 /// Returns true if one stray character may follow it directly: before the first frame, or after a missing frame,
 /// because the line's variant may be mistaken. No frame may begin at its second byte: otherwise the first byte could be
 /// the stray one. (isEndByte() instead of the mask costs 52 bytes on a Cortex-M0+.)
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
-  return (c.lineVariant == UnknownVariant || c.distance != 0) &&
+  const bool isLate = c.distance != 0 && !(c.hasLineVariant() && hasSlots<Format>(c.variant));
+  return (c.lineVariant == UnknownVariant || isLate) &&
          (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
@@ -170,12 +177,6 @@ SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
 
 // ---- For unseen gaps, as when a port is polled too seldom: where each gap is seen, these rules and isInTurn() change
 // nothing, except that breaks would not be noticed.
-
-/// Returns true if telemetry slots may follow the frames of this variant.
-template <typename Format>
-SBUS_IN_LINE bool hasSlots(uint8_t variant) {
-  return Format::HasSlots && variant == SlotsVariant;
-}
 
 /// Returns true if a slot follows it, perhaps after a break. FrameSizeCheck::isInTurn() says when that proves the first
 /// frame.
@@ -254,15 +255,15 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, FrameSizeCheck<Format> &s
       }
     } else if (!isHeaderNext(c)) {
       // A rejection here skips two characters: if both are headers, either may be the true one.
-      if (c.hasLineVariant()) {
-        if (!isSlotNext(c) && (repeatsEnd(c) || goesOn(c))) {
-          return Verdict::reject(Rejection::GoesOn, 2);
-        }
-      } else if (hasStray(c, sizeCheck)) {
+      if (hasStray(c, sizeCheck)) {
         isAtGap = true;
         isPlaced = true;
       } else if (c.count == c.size() + 1 && mayHaveStray(c)) {
         return Verdict::wait();  // for a gap, or a slot after a break (20 bytes less than waiting for these only)
+      } else if (c.hasLineVariant()) {
+        if (!isSlotNext(c) && (repeatsEnd(c) || goesOn(c))) {
+          return Verdict::reject(Rejection::GoesOn, 2);
+        }
       } else {
         isInTurn = isSlotNext(c) && sizeCheck.isInTurn(c.end());
         if (!isInTurn) {
