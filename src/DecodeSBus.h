@@ -302,6 +302,7 @@ class DecodeSBusOf : protected Polling {
     _link.reset();
     _link.start();
     _decoded = 0;
+    drop(_port.available());  // nobody knows how old they are
   }
 
   // Lets the port call `method`. The first poll comes at once: a port with pending bytes does not call before that.
@@ -336,12 +337,13 @@ class DecodeSBusOf : protected Polling {
   // Reads only what is pending when it is called: later bytes may follow a loss. Asked for more than available(), the
   // STM32L0's core would write past the end of the buffer.
   void poll(bool fromCallback) {
-    uint32_t now = micros();
+    const uint32_t asked = micros();
     const int found = _port.available();
+    uint32_t now = asked;
     if (Events::wantsTimes()) {
       _finder.events().polled(found, micros());
     } else if (found > 0 && !fromCallback) {
-      now = micros();  // an interrupt may have delayed available()
+      now = micros();  // an interrupt may have come before available() or after it
     }
     if (found <= 0) {
       if (const uint8_t *const frame = _finder.idle(now)) {
@@ -357,7 +359,7 @@ class DecodeSBusOf : protected Polling {
     if (_port.tellsIdle()) {
       split = _finder.pollIdling(bytes, now, fromCallback, _port.wasIdle());
     } else {
-      _finder.poll(bytes, now);
+      _finder.poll(bytes, asked, now);
     }
     for (int waiting = found; waiting > 0;) {
       const int count = readBytes(split != 0 && split < waiting ? split : waiting);
@@ -376,16 +378,10 @@ class DecodeSBusOf : protected Polling {
     // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
     // bytes may stand before the loss or after it.
     if (bytes > _port.half() && _port.losesNewest()) {
-      int more = _port.available();
+      const int more = _port.available();
       if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
         _finder.bytesLost();
-        while (more > 0) {
-          const int count = readBytes(more);
-          if (count <= 0) {
-            return;
-          }
-          more -= count;
-        }
+        drop(more);
         return;
       }
     }
@@ -407,6 +403,13 @@ class DecodeSBusOf : protected Polling {
     if (_link.took(_finder.frameTime())) {
       _link.makeOld();
       _finder.events().forgetAll();
+    }
+  }
+
+  // Reads so many of the bytes that wait, for nobody.
+  void drop(int waiting) {
+    for (; waiting > 0; waiting--) {
+      _port.stream().read();
     }
   }
 

@@ -91,14 +91,17 @@ class FrameFinderOf : private Events {
   /// Returns how many bytes fit there, 1 or more.
   int room() const { return _buffer.room(); }
 
-  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next. (Inlined like
-  /// received(): most polls then cost some 100 cycles a frame less.)
-  SBUS_IN_LINE void poll(unsigned found, uint32_t now) {
+  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next.
+  SBUS_IN_LINE void poll(unsigned found, uint32_t now) { poll(found, now, now); }
+
+  /// Likewise; the port was asked at `asked`, and has answered by `now`. (Inlined like received(): most polls then cost
+  /// some 100 cycles a frame less.)
+  SBUS_IN_LINE void poll(unsigned found, uint32_t asked, uint32_t now) {
     startPoll(found);
     if (LineTiming::ClockRuns && _lossFollows) {
       lost(_counters.shortfalls);
     }
-    const Silence silence = _timing.silenceBefore<Format>(found, now);
+    const Silence silence = _timing.silenceBefore<Format>(found, asked, now);
     if (silence == Silence::Long) {
       startOver(rules::FirstDistance);
     } else if (silence >= Silence::Gap) {
@@ -124,7 +127,8 @@ class FrameFinderOf : private Events {
     const int all = _buffer.filled() + static_cast<int>(found);
     const bool isWhole = all == Size && isIdle;
     int before = 0;
-    if (!isDue() || (!isWhole && all >= Size) || !isInTime(now)) {
+    const bool isAfterIdle = _buffer.filled() != 0 && _buffer.gapAt() == _buffer.filled();  // is that gap wide?
+    if (!isDue() || (!isWhole && all >= Size) || !isInTime(now) || isAfterIdle) {
       before = likelyGapAt(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
     }
     _timing.take(now);

@@ -20,11 +20,17 @@ LineTiming timing(uint32_t now, uint8_t characterTime = 120, uint8_t idleCharact
   return timing;
 }
 
+// A port that answers at once.
+template <typename Format>
+Silence silenceBefore(LineTiming &line, unsigned found, uint32_t now) {
+  return line.silenceBefore<Format>(found, now, now);
+}
+
 // A byte came at `now`, and the call after next is empty.
 LineTiming afterByte(uint32_t now, uint8_t characterTime = 120, uint8_t idleCharacters = BoardsIdle) {
   LineTiming line = timing(now - 1000, characterTime, idleCharacters);
   line.empty(now - 500);
-  line.silenceBefore<sbus::Frame16>(1, now);
+  silenceBefore<sbus::Frame16>(line, 1, now);
   return line;
 }
 
@@ -50,8 +56,8 @@ TEST_CASE(
           LineTiming line = afterByte(start, characterTime, static_cast<uint8_t>(row.idle));
           line.empty(start + us);
           const uint32_t later = start + us + 40000;  // proves nothing: loop() may have been blocked
-          return is24 ? line.silenceBefore<sbus::Frame24>(row.found, later)
-                      : line.silenceBefore<sbus::Frame16>(row.found, later);
+          return is24 ? silenceBefore<sbus::Frame24>(line, row.found, later)
+                      : silenceBefore<sbus::Frame16>(line, row.found, later);
         };
         for (const bool is24 : {false, true}) {
           const uint32_t gapUs = (is24 ? row.gap24 : row.gap16) * characterTime;
@@ -72,7 +78,7 @@ TEST_CASE("without an empty call since the last byte nothing is known, however l
   for (const uint32_t us : {1u, 3000u, 20000u, 49999u, 50000u, 4000000000u}) {
     CAPTURE(us);
     LineTiming line = afterByte(1000000);
-    CHECK(line.silenceBefore<sbus::Frame16>(25, 1000000 + us) == Silence::Unknown);
+    CHECK(silenceBefore<sbus::Frame16>(line, 25, 1000000 + us) == Silence::Unknown);
     CHECK(line.silenceAfter<sbus::Frame16>() == Silence::Unknown);
   }
 }
@@ -80,7 +86,7 @@ TEST_CASE("without an empty call since the last byte nothing is known, however l
 TEST_CASE("before the first character the silence is long, and one that outlasts the clock's turn stays long") {
   LineTiming line = timing(7000);
   line.empty(7001);
-  CHECK(line.silenceBefore<sbus::Frame16>(1, 7002) == Silence::Long);
+  CHECK(silenceBefore<sbus::Frame16>(line, 1, 7002) == Silence::Long);
   for (const uint32_t beyond : {0u, 1000u, 49999u, 50000u, 4000000000u}) {
     CAPTURE(beyond);
     line = afterByte(7000);
@@ -89,7 +95,7 @@ TEST_CASE("before the first character the silence is long, and one that outlasts
       us += 40000;
       line.empty(static_cast<uint32_t>(us));
     }
-    CHECK(line.silenceBefore<sbus::Frame16>(1, static_cast<uint32_t>(us + 1)) == Silence::Long);
+    CHECK(silenceBefore<sbus::Frame16>(line, 1, static_cast<uint32_t>(us + 1)) == Silence::Long);
   }
 }
 
@@ -118,7 +124,7 @@ TEST_CASE(
       const auto foundTooFew = [&](uint32_t us, bool is24, bool isStretched = false) {
         LineTiming line = afterByte(start, 120, row.idle);
         line.empty(start + 700);
-        line.silenceBefore<sbus::Frame16>(static_cast<unsigned>(row.found), start + 700 + us);
+        silenceBefore<sbus::Frame16>(line, static_cast<unsigned>(row.found), start + 700 + us);
         const bool falls = is24 ? line.foundTooFew<sbus::Frame24>(row.found, row.missing, 9000, isStretched)
                                 : line.foundTooFew<sbus::Frame16>(row.found, row.missing, 9000, isStretched);
         CHECK((!falls || line.mayHaveFoundTooFew()));
@@ -167,7 +173,7 @@ TEST_CASE("an empty call proves silence once a burst would have been handed over
     CHECK(after16(row.wide + 1) == Silence::Wide);
     CHECK(after24(row.wide + 1) == Silence::Wide);
     CHECK(after16(60000) == Silence::Wide);  // the next character tells that it was long
-    line.silenceBefore<sbus::Frame16>(1, 90000);
+    silenceBefore<sbus::Frame16>(line, 1, 90000);
     CHECK(line.silenceAfter<sbus::Frame16>() == Silence::Unknown);
   }
 }
@@ -178,7 +184,7 @@ TEST_CASE(
   LineTiming line = afterByte(1000);
   line.empty(5000);
   line.empty(8000);
-  line.silenceBefore<sbus::Frame16>(25, 9000);
+  silenceBefore<sbus::Frame16>(line, 25, 9000);
   const struct {
     unsigned behind;
     uint32_t us;
@@ -187,7 +193,7 @@ TEST_CASE(
     CAPTURE(row.behind);
     CHECK(line.endedAfter(row.behind) == row.us);
   }
-  line.silenceBefore<sbus::Frame16>(25, 12000);  // no empty call between
+  silenceBefore<sbus::Frame16>(line, 25, 12000);  // no empty call between
   CHECK(line.endedAfter(0) == 9000 - 4 * 120);
 }
 
@@ -207,7 +213,7 @@ TEST_CASE("no gap is reported on a line without gaps, even of spread characters,
             line.empty(now);
             continue;
           }
-          const Silence silence = line.silenceBefore<sbus::Frame16>(there - read, now);
+          const Silence silence = silenceBefore<sbus::Frame16>(line, there - read, now);
           REQUIRE((silence == Silence::Unknown || read == 0));
           read = there;
         }
@@ -242,9 +248,9 @@ TEST_CASE(
         LineTiming line = timing(start);
         uint32_t now = start;
         for (unsigned i = 0; i < Many; i++) {
-          line.silenceBefore<sbus::Frame16>(row.found, now += row.periodUs);
+          silenceBefore<sbus::Frame16>(line, row.found, now += row.periodUs);
         }
-        return line.silenceBefore<sbus::Frame16>(row.bytes, now + us);
+        return silenceBefore<sbus::Frame16>(line, row.bytes, now + us);
       };
       if (row.us == 0) {
         CHECK(silence(200000) == Silence::Unknown);

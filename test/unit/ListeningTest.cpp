@@ -2,6 +2,7 @@
 // over when it ends, the first after a join as well, and what loop() does meanwhile changes nothing.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <climits>
 #include <vector>
 
@@ -150,6 +151,47 @@ TEST_CASE("the silence after 36 characters that one call found is seen: what cam
     CHECK(board.wrong(readBitByBit(next)) == 0);
     CHECK(board.frames.size() == 2);
   }
+}
+
+TEST_CASE("a byte 0F of noise, 2 ms or more before a stretched frame, begins no frame") {
+  for (const uint64_t earlyUs : {2000u, 3000u, 5000u}) {
+    for (const bool isSpread : {true, false}) {
+      INFO("earlyUs ", earlyUs, ", isSpread ", isSpread);
+      ListeningBoard board;
+      board.sbus.begin();
+      unsigned wrong = 0, right = 0;
+      for (unsigned number = 0; number < 40; number++) {
+        const Frame frame = withByte(withByte(plainFrame(number), 22, 0), 21, 0x1F);  // CH16 is 0
+        const bool isNoisy = number == 10 || number == 31;  // 252 and 777 characters: not at a half of the ring
+        const uint64_t beganUs = fakeMicros;
+        board.pass(7000 - (isNoisy ? earlyUs + 120 : 0));
+        if (isNoisy) {
+          board.send({0x0F});
+          board.pass(earlyUs);
+        }
+        for (size_t i = 0; i < frame.size(); i++) {
+          board.send(part(frame, i, i + 1));
+          board.pass(isSpread ? 120 : i == 3 || i == 23 ? 300 : 0);
+        }
+        board.pass(14000 - (fakeMicros - beganUs));
+        SBusFrame received;
+        if (board.sbus.read(received)) {
+          (std::equal(received.channels, received.channels + 18, readBitByBit(frame).begin()) ? right : wrong)++;
+        }
+      }
+      CHECK(wrong == 0);
+      CHECK(right >= 32);
+    }
+  }
+}
+
+TEST_CASE("a character 00 after each frame costs no frame for long, wherever the frames stand in the ring") {
+  ListeningBoard board;
+  board.sbus.begin();
+  for (unsigned number = 0; number < 200; number++) {
+    board.frame(bytesOf(plainFrame(number)) + Bytes{0}, 9 * Ms);
+  }
+  CHECK(board.sbus.counters().frames >= 180);
 }
 
 TEST_CASE("frameAge() is never less than a frame's age, however late the calls are, and not much more") {
