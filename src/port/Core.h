@@ -34,9 +34,10 @@
 class HardwareSerialIMXRT;
 #endif
 
-// The end() of these cores cuts off what the port is sending: arduino-pico 387294c, SerialUART.cpp:319; ArduinoCore-samd
-// 993398c, Uart.cpp:79; Adafruit_nRF52_Arduino fa129c2, Uart.cpp:163; ArduinoCore-renesas 99f8ee4, Serial.cpp:307, while
-// the last character is under way (133); core 3 of arduino-esp32, esp32-hal-uart.c, uartEnd(), which detaches the pins.
+// The end() of these cores cuts off what the port is sending: arduino-pico 387294c, SerialUART.cpp:319;
+// ArduinoCore-samd 993398c, Uart.cpp:79; Adafruit_nRF52_Arduino fa129c2, Uart.cpp:163; ArduinoCore-renesas 99f8ee4,
+// Serial.cpp:307, while the last character is under way (133); core 3 of arduino-esp32, esp32-hal-uart.c, uartEnd(),
+// which detaches the pins.
 #if defined(SBUS_RP2040) || defined(SBUS_ESP32) || defined(SBUS_SAMD) || defined(SBUS_NRF52) || \
     defined(ARDUINO_ARCH_RENESAS)
 #define SBUS_END_CUTS

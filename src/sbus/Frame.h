@@ -104,8 +104,8 @@ constexpr bool isFrame(const uint8_t *frame) {
   return frame[0] == HeaderByte && isFlagsByte(frame[FlagsIndex]) && isEndByte(frame[EndIndex]);
 }
 
-/// Returns the index of the first header, 0F or 2F, within `frame` (`size` bytes) that follows an end byte of `variant`, or of any
-/// variant for UnknownVariant; otherwise `size`.
+/// Returns the index of the first header, 0F or 2F, in `frame` (`size` bytes) that follows an end byte of `variant`, or
+/// of any variant for UnknownVariant; otherwise `size`.
 int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 
 /// The parameter of a function that reads or writes `Count` channels: an array, which does not compile if it is too

@@ -90,7 +90,7 @@ piece PAPERS "the baseline: begin, parse"
 piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk"
 piece ALL_OF_DECODER "\`DecodeSBus\`, all methods"
 piece ENCODER "\`EncodeSBus\`: begin, write"
-piece NORMALISED "\`sbus::toNormalized()\` alone, with the compiler's division" -lgcc
+piece NORMALIZED "\`sbus::toNormalized()\` alone, with the compiler's division" -lgcc
 piece CALIBRATOR "\`sbus::Calibrator\`, all but \`text()\`, and the struct"
 for sketch in ../../examples/*/; do
   example "$(basename "$sketch")"
