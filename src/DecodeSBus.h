@@ -302,7 +302,9 @@ class DecodeSBusOf : protected Polling {
     _link.reset();
     _link.start();
     _decoded = 0;
-    drop(_port.available());  // nobody knows how old they are
+    for (int waiting = _port.available(); waiting > 0; waiting--) {
+      _port.stream().read();  // nobody knows how old it is
+    }
   }
 
   // Lets the port call `method`. The first poll comes at once: a port with pending bytes does not call before that.
@@ -378,10 +380,16 @@ class DecodeSBusOf : protected Polling {
     // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
     // bytes may stand before the loss or after it.
     if (bytes > _port.half() && _port.losesNewest()) {
-      const int more = _port.available();
+      int more = _port.available();
       if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
         _finder.bytesLost();
-        drop(more);
+        while (more > 0) {
+          const int count = readBytes(more);
+          if (count <= 0) {
+            return;
+          }
+          more -= count;
+        }
         return;
       }
     }
@@ -403,13 +411,6 @@ class DecodeSBusOf : protected Polling {
     if (_link.took(_finder.frameTime())) {
       _link.makeOld();
       _finder.events().forgetAll();
-    }
-  }
-
-  // Reads so many of the bytes that wait, for nobody.
-  void drop(int waiting) {
-    for (; waiting > 0; waiting--) {
-      _port.stream().read();
     }
   }
 
