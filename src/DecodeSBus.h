@@ -297,14 +297,15 @@ class DecodeSBusOf : protected Polling {
   }
 
   void reset(unsigned long baud) {
-    const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
+    const bool isOpen = baud > sbus::SlowestBaud;
+    for (int waiting = isOpen ? _port.available() : 0; waiting > 0; waiting--) {
+      _port.stream().read();  // nobody knows how old it is
+    }
+    const unsigned long us = isOpen ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
     _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters(baud));
     _link.reset();
     _link.start();
     _decoded = 0;
-    for (int waiting = _port.available(); waiting > 0; waiting--) {
-      _port.stream().read();  // nobody knows how old it is
-    }
   }
 
   // Lets the port call `method`. The first poll comes at once: a port with pending bytes does not call before that.
@@ -361,7 +362,8 @@ class DecodeSBusOf : protected Polling {
     if (_port.tellsIdle()) {
       split = _finder.pollIdling(bytes, now, fromCallback, _port.wasIdle());
     } else {
-      _finder.poll(bytes, asked, now);
+      // On an AVR only interrupts can stop loop(), and not for long: spare it 60 bytes, and polls that take longer.
+      _finder.poll(bytes, sbus::LineTiming::ClockRuns ? asked : now, now);
     }
     for (int waiting = found; waiting > 0;) {
       const int count = readBytes(split != 0 && split < waiting ? split : waiting);

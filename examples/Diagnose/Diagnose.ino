@@ -40,8 +40,6 @@ void print(uint32_t number, const char *text) {
 
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
-  while (input.read() >= 0) {  // drops older bytes
-  }
   const uint32_t start = millis();
   uint32_t pulseless = 0;
   SBusFrame frame;

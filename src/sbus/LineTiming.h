@@ -69,7 +69,7 @@ class LineTiming {
   __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t asked, uint32_t now) {
     const bool isKnown = _shortestInterval == HasEmptyPolls;
     const uint32_t us = (isKnown ? _lastPoll : now) - _lastBytes;
-    const unsigned silence = isKnown && static_cast<int32_t>(us) < 0 ? 0 : capped(us);
+    const unsigned silence = ClockRuns && isKnown && static_cast<int32_t>(us) < 0 ? 0 : capped(us);
     take(now);
     _lastPoll = asked;
     if (!isKnown) {

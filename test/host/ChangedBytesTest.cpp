@@ -119,7 +119,7 @@ TEST_CASE("bytes that another program changed are undone or named, and every fra
       CHECK((row.shown != Shown::All || head.damage.empty()));
     }
     CHECK(wrong == 0);
-    CHECK(fewer <= 2);  // frames back to back that look like others from a place within
+    CHECK(fewer <= 4);  // of 300 files: frames back to back that look like others, 0F or 2F, from a place within
     CHECK(silent <= 1);
   }
 }
