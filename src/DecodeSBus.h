@@ -84,12 +84,12 @@ class DecodeSBusOf : protected Polling {
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted) {
     this->stopPolling();
     _port.enter();
-    _port.open(baud, config);
+    open(baud, config);
     start(baud);
   }
 
   /// Starts on a port that the sketch has opened with `baud`, such as a SoftwareSerial, and forgets all frames and
-  /// counters.
+  /// counters. What waits there counts as new: if it may be old, read it first.
   void listen(unsigned long baud = sbus::Baud) {
     this->stopPolling();
     _port.enter();
@@ -290,6 +290,14 @@ class DecodeSBusOf : protected Polling {
     return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
   }
 
+  // Opens the port, and reads away what it has kept from before (AVR): nobody knows how old that is.
+  void open(unsigned long baud, uint32_t config) {
+    _port.open(baud, config);
+    for (int waiting = baud > sbus::SlowestBaud ? _port.available() : 0; waiting > 0; waiting--) {
+      _port.stream().read();
+    }
+  }
+
   void start(unsigned long baud) {
     reset(baud);
     startCallbacks(&DecodeSBusOf::onReceive, this);
@@ -297,11 +305,7 @@ class DecodeSBusOf : protected Polling {
   }
 
   void reset(unsigned long baud) {
-    const bool isOpen = baud > sbus::SlowestBaud;
-    for (int waiting = isOpen ? _port.available() : 0; waiting > 0; waiting--) {
-      _port.stream().read();  // nobody knows how old it is
-    }
-    const unsigned long us = isOpen ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
+    const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
     _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters(baud));
     _link.reset();
     _link.start();

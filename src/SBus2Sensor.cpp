@@ -12,7 +12,7 @@ constexpr uint16_t FrameTime = sbus::FrameSize * uint16_t{sbus::CharacterTime}; 
 // The timer is stopped first: no interrupt comes while everything is cleared.
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
   stop();
-  _port.open(baud, config);
+  open(baud, config);
   start(baud);
 }
 
