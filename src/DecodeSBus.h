@@ -204,7 +204,7 @@ class DecodeSBusOf : protected Polling {
 
   /// Sets how long a frame stays valid, 1..65535 ms; more counts as 65535. Default: 100 ms. 0 disables the timeout, as
   /// in the paper.
-  void setTimeout(unsigned long ms) { _link.setTimeout(static_cast<uint16_t>(ms < UINT16_MAX ? ms : UINT16_MAX)); }
+  void setTimeout(unsigned long ms) { _link.setTimeout(ms); }
 
   /// Sets how many lost frames in a row count as failsafe, 1..65535. Default: 100. 0 disables it.
   void setLossLimit(uint16_t frames) {
@@ -279,15 +279,10 @@ class DecodeSBusOf : protected Polling {
       const uint8_t *const frame = _finder.newest();
       Format::unpack(frame, channels);
       lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
-      failsafe = _link.isLost() || (Format::ZeroMeansLost && isZero(channels));
+      failsafe = _link.isLost() || (Format::ZeroMeansLost && sbus::hasNoPulses(channels));  // the array has kept none
       sbus::barrier();
     } while (number != _finder.counters().frames);
     _decoded = number;
-  }
-
-  // Returns true if CH1 to CH4 are 0: the newest frame had none, and this array has none of an earlier one.
-  static bool isZero(const uint16_t *channels) {
-    return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
   }
 
   // Opens the port, and reads away what it has kept from before (AVR): nobody knows how old that is.

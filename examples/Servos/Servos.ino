@@ -27,7 +27,7 @@
 #include <Servo.h>  // No such file? Install the library Servo from the Library Manager
 #endif
 
-DecodeSBus dSBus(SBUS_UART);     // this board's port, on most boards Serial1: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);          // this board's port, on most boards Serial1: extras/docs/boards.md
 const int PINS[] = {SBUS_FREE_PINS};  // servo pins: 2, 3, 4, 5 on most boards
 
 const int THROTTLE = 2;                    // CH3, counted from 0

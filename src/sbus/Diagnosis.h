@@ -53,11 +53,6 @@ struct Trial {
   Finding other;       ///< IBus to IdleLevel, of OtherProtocols for one; 0 (NoSignal) without one
 };
 
-/// Returns true if CH1..CH4 are 0: as a receiver sends them that has lost the radio and is set to "no pulses".
-constexpr bool hasNoPulses(const uint16_t *channels) {
-  return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
-}
-
 /// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters.
 Text text(Finding finding);
 

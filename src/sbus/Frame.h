@@ -214,6 +214,11 @@ struct Frame16Extra : Frame16 {
   static constexpr bool HasExtra = true;  ///< see Frame16
 };
 
+/// Returns true if CH1..CH4 are 0: as a receiver sends them that has lost the radio and is set to "no pulses".
+constexpr bool hasNoPulses(const uint16_t *channels) {
+  return (channels[0] | channels[1] | channels[2] | channels[3]) == 0;
+}
+
 /// Frame16 from a receiver that sends raw 0 for "no pulses", on all channels or on the first four, and does not always
 /// set a flag: github.com/ArduPilot/ardupilot/issues/9400, 25169. These frames count as lost, and their channels are
 /// not handed out.

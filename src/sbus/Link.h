@@ -37,8 +37,9 @@ class Link {
     _aged = 0;
   }
 
-  /// Sets how many ms after the newest frame the link is stale, 1..65535. Default: DefaultTimeout. 0 disables this.
-  void setTimeout(uint16_t ms) { _timeout = ms; }
+  /// Sets how many ms after the newest frame the link is stale, 1..65535; more counts as 65535. Default:
+  /// DefaultTimeout. 0 disables this.
+  void setTimeout(unsigned long ms) { _timeout = static_cast<uint16_t>(ms < UINT16_MAX ? ms : UINT16_MAX); }
 
   /// Sets how many frames in a row with the lost-frame flag count as failsafe, 1..65535: some receivers never set the
   /// failsafe flag. Default: DefaultLossLimit. 0 disables it.
