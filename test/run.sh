@@ -13,7 +13,6 @@ set -u
 cd "$(dirname "$0")" || exit 1
 export BUILD="${BUILD:-$(cd .. && pwd)/build/test}"
 export SEED="${SEED:-$(($(date +%s) / 86400))}"
-export RC_PARAMS="${RC_PARAMS:-seed=$SEED}"
 
 # Which of `test` and `test-all` run it, its name, its title. What is after the dash is the argument of the function
 # step_... below. The longest first, and what waits for others last.
