@@ -71,7 +71,7 @@ $(OUT)/UnitTest: $(filter-out $(OUT)/unit/Preempt%.o,$(call objects,unit/*Test.c
 # A line as the impairment bench has it.
 $(OUT)/HostTest: $(call objects,host/*Test.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp)
 $(OUT)/UnitTest $(OUT)/HostTest: $(call objects,support/Main.cpp support/FakeClock.cpp) $(OUT)/board.a
-	$(link) -lrapidcheck
+	$(link)
 
 $(OUT)/impairment/Impairment $(OUT)/impairment/ImpairmentTest: $(OUT)/support/FakeClock.o $(OUT)/board.a \
   $(filter-out $(OUT)/impairment/Impairment.o $(OUT)/impairment/ImpairmentTest.o,$(call objects,impairment/*.cpp))

@@ -13,7 +13,6 @@ set -u
 cd "$(dirname "$0")" || exit 1
 export BUILD="${BUILD:-$(cd .. && pwd)/build/test}"
 export SEED="${SEED:-$(($(date +%s) / 86400))}"
-export RC_PARAMS="${RC_PARAMS:-seed=$SEED}"
 
 # Which of `test` and `test-all` run it, its name, its title. What is after the dash is the argument of the function
 # step_... below. The longest first, and what waits for others last.
@@ -40,7 +39,7 @@ all  setup            what is said where packages are missing
 both uses             every public function is used by a sketch; keywords
 all  captures         recordings of real receivers
 all  figures          the figures of measured.md
-all  workflows        the steps of the workflows, as GitHub runs them; what a release offers
+all  dist             what a release offers
 all  commands         the commands of the pages'
 
 # build VARIANT TARGETS...
@@ -119,8 +118,12 @@ newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
 step_figures() { after lines-5000 bench && ../extras/docs/figures.sh check; }
-step_workflows() { after scope package && ./workflows.py; }
-step_commands() { after scope tool package workflows figures && ./commands.sh; }
+step_dist() {
+  after scope
+  export DIST="$BUILD/dist"
+  if sh ../extras/setup/dist.sh; then ./dist.sh; else echo "FAILED dist: it does not build"; fi
+}
+step_commands() { after scope tool package dist figures && ./commands.sh; }
 
 # Waits until these steps are done, which stand before this one in `steps`: it takes what they have built, or their logs.
 after() {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Keeps the rows of measured.md's tables, which stand between <!-- NAME: begin --> and <!-- NAME: end -->. The page has
 # some of the rows that a command prints; a row is found by its first cell.
-#   figures.sh         prints all tables and writes the page's rows, some minutes; FRAMES=n and TRIES=n shorten that
+#   figures.sh         prints all tables and writes the page's rows, some minutes; FRAMES=n shortens that
 #   figures.sh check   says "ok ...", "FAILED ..." or "skipped ..." of each that takes seconds: is it up to date?
 # A table is checked only with the compilers that its first line names: others make other code. BUILD is an absolute
 # folder for what is built.
@@ -13,11 +13,7 @@ out=$BUILD/figures
 mkdir -p "$out"
 
 print() {  # NAME [ONLY=...]
-  case $1 in
-    bench) ../../test/bench/bench.sh known ;;
-    worst) ../../test/bench/bench.sh worst ;;
-    *) "${MAKE:-make}" --no-print-directory -s -C ../.. BUILD="$BUILD" "$@" ;;
-  esac
+  "${MAKE:-make}" --no-print-directory -s -C ../.. BUILD="$BUILD" "$@"
 }
 
 on_page() {  # NAME
@@ -63,7 +59,7 @@ if [ "${1:-}" = check ]; then
   exit
 fi
 
-for name in size bench worst impairment; do
+for name in size bench impairment; do
   print "$name" >"$out/$name" || exit 1
   cat "$out/$name"
   # The first line of a section, and each row whose first cell and number of cells are printed.

@@ -66,40 +66,31 @@ to_install() {
   done
 }
 
-# Ends it: WHY nothing could be installed, and what to do. Without an 'a?' the work goes on.
-give_up() {
-  # shellcheck disable=SC2046,SC2086  # lists of packages, to be split
-  echo "$1. Run as root: apt-get update && apt-get install --no-install-recommends" $(to_install $list 2>/dev/null) >&2
-  for package in $list; do
-    case $package in *\?) ;; *) exit 1 ;; esac
-  done
-  exit 0
-}
-
-# Runs apt-get. It fails with status 100; sudo, which then has said why, with 1.
+# Runs apt-get, which says what went wrong, as sudo and the shell do.
 apt() {
   [ "$(id -u)" = 0 ] || sudo=sudo
   ${sudo:-} env DEBIAN_FRONTEND=noninteractive apt-get -q "$@" >&2
-  status=$?
-  [ $status -ne 1 ] || give_up "Packages are missing, and sudo does not install them"
-  return $status
 }
 
 # At most twice: only an installed clang can say which run-time library it needs.
-# shellcheck disable=SC2034,SC2086  # lists of packages, to be split
+# shellcheck disable=SC2034,SC2046,SC2086  # lists of packages, to be split
 for round in first second; do
   list=$(missing "$@")
   [ -n "$list" ] || exit 0
   # apt has no lists on a fresh machine, and old ones elsewhere. For packages that it is known to lack they are not read in
   # every run.
   if [ -z "${updated:-}" ] && { [ -z "$(apt-cache madison make 2>/dev/null)" ] || [ -n "$(to_install $list 2>/dev/null)" ]; }; then
-    command -v apt-get >/dev/null 2>&1 || give_up "Packages are missing, and there is no apt-get"
-    [ "$(id -u)" = 0 ] || command -v sudo >/dev/null 2>&1 || give_up "Packages are missing, and there is no sudo"
     apt update  # fails where one of several repositories has gone: the others may have the packages
     updated=yes
   fi
   chosen=$(to_install $list)
   [ -n "$chosen" ] || exit 0
   echo "Installing what is missing:" $chosen >&2
-  apt install -y --no-install-recommends $chosen || give_up "apt-get could not install all packages (is there a network, and is this Debian 12, Ubuntu 24.04 or later?)"
+  apt install -y --no-install-recommends $chosen && continue
+  echo "Packages are missing, and could not be installed (is there a network, and is this Debian 12, Ubuntu 24.04 or later?)." \
+    "Run as root: apt-get update && apt-get install --no-install-recommends" $(to_install $list 2>/dev/null) >&2
+  for package in $list; do
+    case $package in *\?) ;; *) exit 1 ;; esac  # without an 'a?' the work goes on
+  done
+  exit 0
 done

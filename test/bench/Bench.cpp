@@ -1,6 +1,5 @@
 // Prints what the library costs on a Cortex-M0+, in instructions.
-//   Bench known   Markdown
-//   Bench worst   the same for the longest call that a search finds
+//   Bench         Markdown
 //   Bench check   "ok bench: ..." and "FAILED bench: ...": the bounds
 #include "Bench.h"
 
@@ -19,6 +18,7 @@ void print() {
       "are subtracted, and its calls are counted instead: on a board they cost more than in memory.\n\n",
       __VERSION__);
   printFrames();
+  printLongestCall();
 }
 
 void check() {
@@ -41,11 +41,11 @@ void atMost(const std::string &what, uint32_t found, uint32_t most) {
 }
 
 int main(int argc, char **argv) {
-  const char *const what = argc > 1 ? argv[1] : "";
+  const bool isCheck = argc > 1 && std::strcmp(argv[1], "check") == 0;
   if (!calibrate()) {
     verdict(false, "instructions cannot be counted here");
   } else {
-    (std::strcmp(what, "check") == 0 ? check : std::strcmp(what, "worst") == 0 ? printLongestCall : print)();
+    (isCheck ? check : print)();
   }
   return failed ? 1 : 0;
 }

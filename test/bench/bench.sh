@@ -1,8 +1,6 @@
 #!/bin/sh
 # What the library costs on a Cortex-M0+, ours beside the baseline, counted by QEMU's machine microbit.
-#   bench.sh          prints the tables
-#   bench.sh known    ... but for the worst call that a search finds
-#   bench.sh worst    ... the longest call alone; TRIES=n from each start
+#   bench.sh          prints the table
 #   bench.sh check    says "ok bench: ..." or "FAILED bench: ..." of each bound
 # BUILD is the folder for what is built, absolute.
 set -u
@@ -19,21 +17,15 @@ run() {
   timeout 600 ../boards/cortex-m0/qemu.sh "$out/Bench" "$@"
 }
 
-case ${1:-table} in check | known) export TRIES="${TRIES:-50000}" ;; esac  # the search of a check need not find the worst
 mkdir -p "$out"
 if ! build bench >"$out/log" 2>&1; then
   head -n 20 "$out/log" >&2
   echo "FAILED bench: does not build"
   exit 1
 fi
-case ${1:-table} in
-  table) run known && echo && run worst ;;
-  known | worst) run "$1" ;;
-  check)
-    printf '\nbench: what the library costs on a Cortex-M0+, in instructions\n'
-    run check 2>&1
-    status=$?
-    [ "$status" -le 1 ] || echo "FAILED bench: ended with status $status before its end"
-    exit "$status"
-    ;;
-esac
+[ "${1:-}" = check ] || { run; exit; }
+printf '\nbench: what the library costs on a Cortex-M0+, in instructions\n'
+run check 2>&1
+status=$?
+[ "$status" -le 1 ] || echo "FAILED bench: ended with status $status before its end"
+exit "$status"

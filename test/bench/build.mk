@@ -1,6 +1,5 @@
 # Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. The start-up code is that of
 # ../boards/cortex-m0.
-#   TRIES    how long the longest call is searched for: tries from each start, one of each line variant
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../..
@@ -9,7 +8,6 @@ HOST := $(ROOT)/extras/host
 TEST := $(ROOT)/test
 M0 := $(TEST)/boards/cortex-m0
 CROSS ?= arm-none-eabi-g++
-TRIES ?= 200000
 
 # As on the Grasshopper: its M0+ has the instructions of an M0, in another order at most.
 CPU := -mcpu=cortex-m0plus -mthumb -Os
@@ -46,12 +44,5 @@ $(eval $(call rule,Print.o,$(HOST)/arduino/Print.cpp,$(BOARD)))
 $(eval $(call rule,Runtime.o,$(M0)/Runtime.cpp,$(PLAIN)))
 $(eval $(call rule,BoardUart.o,$(HOST)/board/BoardUart.cpp,$(PLAIN)))
 $(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,$(PLAIN))))
-
-$(OUT)/LongestCall.o: INCLUDES += -DTRIES=$(TRIES)
-$(OUT)/LongestCall.o: $(OUT)/tries-$(TRIES)
-$(OUT)/tries-$(TRIES):
-	@mkdir -p $(@D)
-	@rm -f $(OUT)/tries-*
-	@touch $@
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

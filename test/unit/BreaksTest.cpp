@@ -69,39 +69,3 @@ TEST_CASE("a receiver of another make that takes the line is believed with its s
     }
   }
 }
-
-TEST_CASE(
-    "if the first frame is mistaken for one with end byte 00, since a break completes it, the line is found all the "
-    "same") {
-  Feeder line;
-  line.settle();
-  const auto send = [&line](const Bytes &bytes) {
-    Frames frames = line.feed(bytes + Break);
-    line.wait(9000);
-    return frames + line.waited;
-  };
-  send(without(plainFrame(0, 0x04), 24));
-  unsigned found = 0;
-  for (unsigned number = 1; number < 9; number++) {
-    found += send(bytesOf(plainFrame(number, endOf(number)))) == Frames{plainFrame(number, endOf(number))};
-  }
-  CHECK(found == 7);  // all but the first
-}
-
-TEST_CASE(
-    "36 characters between two gaps, which forget the variant, cost no frame that follows the telemetry directly") {
-  Line line(true);
-  line.send(plainFrame(line.number, endOf(line.number)));
-  Bytes group;
-  for (unsigned slot = 0; slot < 12; slot++) {
-    group = group + slotOf(line.number, slot % 8);
-  }
-  line.feed(group);
-  line.wait(5000);
-  unsigned found = 0;
-  for (unsigned number = line.number + 1; number < line.number + 5; number++) {
-    found += line.send(plainFrame(number, endOf(number))) == Frames{plainFrame(number, endOf(number))};
-  }
-  CHECK(line.finder.counters().otherSizeFrames == 1);
-  CHECK(found == 4);
-}

@@ -92,33 +92,6 @@ TEST_CASE("the port is never asked for more bytes than it has; nothing is overwr
   }
 }
 
-TEST_CASE("every frame comes at the first poll after its last byte, with its own flags, also before silence") {
-  SyncedBoard board;
-  unsigned count = 0;
-  for (const unsigned ch16 : {0u, 16u, 1u, 2047u, 127u, 128u, 100u, 172u, 8u}) {  // it looks like flags
-    for (unsigned flags = 0; flags < 16; flags++) {
-      INFO("ch16 ", ch16, ", flags ", flags);
-      Channels channels = PaperLow.channels;
-      channels[15] = static_cast<uint16_t>(ch16);
-      const Frame frame = withByte(writeBitByBit(channels), 23, flags);
-      board.nextFrame(frame);
-      REQUIRE(board.counted().frames == ++count);
-      REQUIRE(board.sbus.newFrame());
-      REQUIRE(board.sbus.frameAge() == 0);
-      for (unsigned round = 0; round < 2; round++) {
-        const Decoded decoded = board.decode();
-        REQUIRE(decoded.channels == readBitByBit(frame));
-        REQUIRE(decoded.lostFrame == ((flags & 4) != 0));
-        REQUIRE(decoded.failsafe == ((flags & 8) != 0));
-      }
-      board.wait(flags % 8 == 7 ? 90 * Ms : 0);
-    }
-  }
-  board.nextFrame(Neutral.bytes);
-  board.nextFrame(FailsafeFrame);  // another frame might begin within it
-  CHECK(board.counted().frames == count + 2);
-}
-
 TEST_CASE("the whole frames in a full buffer count, also one that began before; the torn frame is never completed") {
   for (unsigned held = 0; held < 25; held++) {
     CAPTURE(held);
@@ -136,30 +109,6 @@ TEST_CASE("the whole frames in a full buffer count, also one that began before; 
     CHECK(board.counted().frames == 1 + whole);
     board.nextFrame(plainFrame(6));
     CHECK(board.channels() == readBitByBit(plainFrame(6)));
-  }
-}
-
-TEST_CASE("bytes that come between two reads of a poll break the line if the buffer is full, and only then") {
-  const struct {
-    size_t found, come;
-    bool broken;
-  } rows[] = {{64, 0, true},  {64, 11, true},  {63, 0, true},  {62, 0, false}, {62, 1, true},   {50, 12, false},
-              {50, 13, true}, {40, 22, false}, {40, 23, true}, {40, 64, true}, {38, 24, false}, {38, 64, true}};
-  for (const auto &row : rows) {
-    for (const unsigned beforeRead : {1u, 2u}) {
-      INFO("found ", row.found, ", come ", row.come, ", beforeRead ", beforeRead);
-      OpenBoard board;
-      board.frame(Neutral.bytes);
-      unsigned reads = 0;
-      board.port.beforeRead = [&] {
-        if (++reads == beforeRead) {
-          board.port.arrive(Bytes(row.come, 0xA5));
-        }
-      };
-      CHECK(board.take(Bytes(row.found, 0xA5)) == row.found);
-      CHECK(reads >= 2);
-      CHECK(board.sbus.counters().overflows == row.broken);
-    }
   }
 }
 

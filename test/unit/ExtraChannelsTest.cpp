@@ -41,35 +41,6 @@ void receive(FakeBoard32 &board, unsigned number) {
 
 }  // namespace
 
-TEST_CASE(
-    "with a 2F frame before each 0F frame, whatever the gaps, all frames come, without a discarded byte or a resync") {
-  for (const uint8_t end : {uint8_t{0x00}, uint8_t{0x04}, uint8_t{0x34}}) {
-    for (const uint64_t gapUs : {0u, 120u, 600u, 2000u, 6000u, 9000u}) {
-      for (const bool neutral : {false, true}) {
-        TimedLine line;
-        Frames sent;
-        for (unsigned number = 0; number < 20; number++) {
-          sent.push_back(neutral ? neutralFrame(number, end) : plainFrame(number, end));
-          line.send(withByte(neutral ? neutralFrame(number, end) : extraFrame(number, end), 0, 0x2F)).gap(gapUs);
-          line.send(sent.back()).gap(9000);
-        }
-        for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
-          INFO("end ", end, ", gapUs ", gapUs, ", neutral ", neutral, ", loopUs ", loopUs);
-          sbus::Counters counters;
-          CHECK((line.frames<sbus::Frame16Extra, sbus::ExtraFrame>(loopUs, &counters)) == sent);
-          CHECK(counters.extraFrames == 19);  // before the first frame the variant is not known
-          CHECK(counters.discardedBytes == 25);
-          CHECK(counters.resyncs == 0);
-          // Those of the first 2F frame. Where a wide gap follows it, its two inner headers are rejected together.
-          const uint32_t rejected = counters.rejectedByEnd + counters.rejectedByFlags + counters.rejectedByLength;
-          CHECK(rejected <= (neutral ? 3 : 2));
-          CHECK(rejected >= (neutral ? 2 : 1));
-        }
-      }
-    }
-  }
-}
-
 TEST_CASE("a 2F frame is accepted once silence follows it, or a gap and a byte, or a header 0F or 2F, and not otherwise") {
   const struct {
     uint32_t silenceUs;  // after it; then comes another byte
@@ -109,47 +80,6 @@ TEST_CASE("after an impaired 2F frame the next 2F and 0F frames come at once, an
       line.wait(Feeder::GapUs);
       CHECK(line.feed(bytesOf(withByte(FailsafeFrame, 0, 0x2F)) + bytesOf(FailsafeFrame)) == Frames{FailsafeFrame});
       CHECK(line.counted().extraFrames == 1 + !extraImpaired);
-    }
-  }
-}
-
-TEST_CASE("a 2F frame is rejected if its form is wrong, a gap lies in it, or no frame is expected there") {
-  const Bytes whole = bytesOf(extraFrame(7));
-  const struct {
-    doctest::String what;
-    Bytes bytes, afterGap;
-    unsigned extras;
-  } rows[] = {
-      {"as it should be", whole, {}, 1},
-      {"digital channels and flags", bytesOf(withByte(extraFrame(7), 23, 0x0F)), {}, 1},
-      {"flags bit 4", bytesOf(withByte(extraFrame(7), 23, 0x10)), {}, 0},
-      {"the end byte of another variant", bytesOf(extraFrame(7, 0x04)), {}, 0},
-      {"no end byte", bytesOf(extraFrame(7, 0x55)), {}, 0},
-      {"another header", bytesOf(withByte(extraFrame(7), 0, 0x3F)), {}, 0},
-      {"a byte is missing", without(extraFrame(7), 7), {}, 0},
-      {"a byte too many", with(extraFrame(7), 7, 0xA5), {}, 0},
-      {"after a byte of noise", Bytes{0xA5} + whole, {}, 0},
-      {"after noise and a gap", {0xA5}, whole, 1},
-      {"a gap after its header", part(whole, 0, 1), part(whole, 1), 0},
-      {"a gap after 12 bytes", part(whole, 0, 12), part(whole, 12), 0},
-      {"a gap before its end", part(whole, 0, 24), part(whole, 24), 0},
-      {"2F straight before a frame", {0x2F}, {}, 0},
-  };
-  for (const auto &row : rows) {
-    for (const uint32_t gapUs : {uint32_t{0}, Feeder::GapUs}) {
-      for (const size_t burst : {1u, 5u}) {
-        INFO(row.what, ", gapUs ", gapUs, ", burst ", burst);
-        ExtraFeeder line;
-        line.lock().feed(row.bytes, burst);
-        if (!row.afterGap.empty()) {
-          line.wait(8000).feed(row.afterGap, burst);
-        }
-        line.wait(gapUs);
-        CHECK(line.feed(bytesOf(plainFrame(8)), burst) == Frames{plainFrame(8)});
-        const sbus::Counters counters = line.counted();
-        CHECK(counters.extraFrames == row.extras);
-        CHECK(counters.discardedBytes == row.bytes.size() + row.afterGap.size() - 25 * row.extras);
-      }
     }
   }
 }

@@ -86,19 +86,6 @@ TEST_CASE("a frame that an answer destroys makes an interval longer: the shortes
   }
 }
 
-TEST_CASE("a period that becomes shorter holds at once, and after a collision, though each second frame is destroyed") {
-  Line line;
-  line.frames(2 + Pause, 15000);
-  line.frame(7000, Outcome::Fine);
-  CHECK(line.interval.shortest() == 7000);
-  Line collided;
-  collided.frames(2 + Pause, 15000);
-  collided.frame(14000, Outcome::Collided);
-  CHECK(collided.interval.shortest() == 0);
-  collided.frames(Pause, 7000);
-  CHECK(collided.interval.shortest() == 7000);
-}
-
 TEST_CASE(
     "each time that it has to listen again it listens twice as long, up to 1024 frames; after fine answers less "
     "again") {
@@ -124,18 +111,6 @@ TEST_CASE(
   line.frames(1 + 2 * 64, 15000, Outcome::Fine);
   line.frame(15000, Outcome::Collided);
   line.frames(Pause, 15000);
-  CHECK(line.interval.shortest() == 15000);
-}
-
-TEST_CASE("an early frame is remembered for 1024 to 2048 frames") {
-  Line line;
-  line.frames(2 + Pause, 15000);
-  line.frame(9000);
-  for (unsigned i = 1; i < Memory; i++) {
-    line.frame(15000);
-    CHECK(line.interval.shortest() == 9000);
-  }
-  line.frames(Memory, 15000);
   CHECK(line.interval.shortest() == 15000);
 }
 

@@ -3,16 +3,79 @@
 
 #include <string>
 
-#include "support/Candidates.h"
+#include "sbus/FrameRules.h"
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
 #include "support/ShowArrays.h"
 
 using namespace sbus;
 
-TEST_CASE("flags: the upper four bits are 0") {
-  for (unsigned byte = 0; byte < 256; byte++) {
-    CHECK(rules::areFlags(static_cast<uint8_t>(byte)) == (byte < 16));
+namespace {
+
+constexpr int Far = 255;  // Case::gapAt without a gap
+
+// A frame and what follows it. By default it is where a frame is expected, on a line of its variant.
+struct Case {
+  Bytes bytes;
+  int gapAt = Far;
+  int offBy = 0;
+  bool isInSync = true;
+  bool hasLineVariant = true;
+  bool isGapCertain = true;
+  Silence inside = Silence::Unknown;  // the longest gap inside before the newest
+  bool beginsWide = false;
+  bool isGapWide = false;
+
+  template <typename Format = Frame16>
+  Candidate<Format> candidate() const {
+    const Silence gap = isGapWide ? Silence::Wide : isGapCertain ? Silence::Gap : Silence::Likely;
+    const bool follows = isInSync && offBy == 0;
+    const uint8_t variant = variantOfEnd(bytes[24]);
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, inside, beginsWide || follows, variant,
+            hasLineVariant ? variant : UnknownVariant, offBy, follows};
   }
+};
+
+const Bytes Plain = bytesOf(plainFrame(1));
+const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at 23
+
+// Returns a line of which nothing has been seen yet.
+template <typename Format = Frame16>
+FrameSizeCheck<Format> noneSeen() {
+  FrameSizeCheck<Format> acquisition;
+  acquisition.reset();
+  return acquisition;
 }
+
+// Returns a line on which two gaps have been seen, `run` characters apart.
+FrameSizeCheck<Frame16> twoGaps(unsigned run) {
+  FrameSizeCheck<Frame16> acquisition = noneSeen();
+  acquisition.gap(0, true);
+  acquisition.characters(run);
+  acquisition.gap(static_cast<int>(run), true);
+  return acquisition;
+}
+
+// Returns a line whose sender stretches frames.
+FrameSizeCheck<Frame16> stretching() {
+  FrameSizeCheck<Frame16> acquisition = noneSeen();
+  acquisition.stretchedFrame();
+  acquisition.stretchedFrame();
+  return acquisition;
+}
+
+// Returns "accept", "aligned", "wait", or why it is rejected and after how many characters the search continues.
+template <typename Format = Frame16>
+std::string judged(const Case &c, FrameSizeCheck<Format> acquisition = noneSeen<Format>()) {
+  static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
+  const Verdict verdict = rules::judge(c.candidate<Format>(), acquisition);
+  return verdict.isAligned() ? "aligned"
+         : verdict.isAccepted() ? "accept"
+         : verdict.isOpen()     ? "wait"
+                                : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.skip()));
+}
+
+}  // namespace
 
 TEST_CASE(
     "inside: a gap before the second to the last character rejects, up to that gap; where the sender may have "
@@ -47,65 +110,6 @@ TEST_CASE(
       }
     }
   }
-}
-
-TEST_CASE(
-    "inside: with a gap after it, a frame with gaps inside is one if its sender stretches frames, and all is in place") {
-  constexpr Silence Gap = Silence::Gap;
-  const struct {
-    const char *what;
-    Case given;
-    const char *stretching, *first;  // verdict, and that while the line is not known to stretch frames
-  } rows[] = {
-      {"in sync", {Plain, 25, 0, true, true, true, Gap}, "aligned", "gap inside 25"},
-      {"... a wide gap after it", {Plain, 25, 0, true, true, true, Gap, false, true}, "aligned", "gap inside 25"},
-      {"... a likely gap after it", {Plain, 25, 0, true, true, false, Gap}, "wait", "wait"},
-      {"... a likely gap inside", {Plain, 25, 0, true, true, true, Silence::Likely}, "gap inside 25", "gap inside 25"},
-      {"... a wide gap inside", {Plain, 25, 0, true, true, true, Silence::Wide}, "gap inside 25", "gap inside 25"},
-      {"... a gap one later", {Plain + Bytes{0x55}, 26, 0, true, true, true, Gap}, "gap inside 25", "gap inside 25"},
-      {"out of sync", {Plain, 25, 1, false, true, true, Gap}, "gap inside 25", "gap inside 25"},
-      {"... after a wide gap", {Plain, 25, 1, false, true, true, Gap, true}, "aligned", "gap inside 25"},
-      {"variant unknown, a gap after it", {Plain, 25, 1, false, false, true, Gap, true}, "wait", "wait"},
-      {"... one more character", {Plain + Bytes{0x0F}, 25, 1, false, false, true, Gap, true}, "gap inside 25",
-       "gap inside 25"},
-      {"... a wide gap after it", {Plain, 25, 1, false, false, true, Gap, true, true}, "aligned", "gap inside 25"},
-      {"... and none before it", {Plain, 25, 1, false, false, true, Gap, false, true}, "gap inside 25", "gap inside 25"},
-  };
-  for (const auto &row : rows) {
-    CAPTURE(row.what);
-    CHECK(judged(row.given, stretching()) == row.stretching);
-    CHECK(judged(row.given) == row.first);
-  }
-}
-
-TEST_CASE(
-    "inside: two stretched frames with at most two others in between show a sender that stretches, for a hundred") {
-  const auto whole = [](FrameSizeCheck<Frame16> &acquisition) {
-    acquisition.gap(0, false);
-    acquisition.characters(25);
-    acquisition.gap(0, false);
-  };
-  for (unsigned between = 0; between < 5; between++) {
-    CAPTURE(between);
-    FrameSizeCheck<Frame16> acquisition = noneSeen();
-    acquisition.stretchedFrame();
-    CHECK_FALSE(acquisition.isStretched());
-    for (unsigned frame = 0; frame < between; frame++) {
-      whole(acquisition);
-    }
-    acquisition.stretchedFrame();
-    CHECK(acquisition.isStretched() == (between <= 2));
-  }
-  FrameSizeCheck<Frame16> acquisition = stretching();
-  for (unsigned frame = 0; frame < 99; frame++) {
-    whole(acquisition);
-  }
-  FrameSizeCheck<Frame16> late = acquisition;
-  late.stretchedFrame();
-  CHECK(late.isStretched());
-  whole(acquisition);
-  acquisition.stretchedFrame();
-  CHECK_FALSE(acquisition.isStretched());
 }
 
 TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant, and before the first frame") {
@@ -166,17 +170,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "slots: on an S.BUS2 line a slot's ID may follow, every eighth byte value; elsewhere it is a character too many") {
-  for (unsigned byte = 0; byte < 256; byte++) {
-    for (const unsigned end : {0x00u, 0x04u, 0x34u, 0x08u}) {
-      const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + tailOf(static_cast<uint8_t>(end)) +
-                          Bytes{static_cast<uint8_t>(byte)};
-      CHECK(rules::isSlotNext(Case{bytes}.candidate()) == ((end & 0x0F) == 4 && byte % 8 == 3));
-    }
-  }
-}
-
 TEST_CASE("breaks: a 00 may stand before the slot's ID, one only, and on S.BUS2 lines only") {
   for (const unsigned end : {0x00u, 0x04u, 0x34u}) {
     const Bytes frame = bytesOf(plainFrame(1, static_cast<uint8_t>(end)));
@@ -186,13 +179,6 @@ TEST_CASE("breaks: a 00 may stand before the slot's ID, one only, and on S.BUS2 
     CHECK_FALSE(isSlotNext({0x00, 0x00, 0x13}));
     CHECK_FALSE(isSlotNext({0x55, 0x13}));
     CHECK_FALSE(isSlotNext({0x00}));
-  }
-}
-
-TEST_CASE("twice: on a line with breaks the end byte of another variant may be one") {
-  for (uint8_t variant = 0; variant < UnknownVariant; variant++) {
-    CHECK(rules::mayEndInBreak<Frame16>(variant, true) == (variant != SlotsVariant));
-    CHECK_FALSE(rules::mayEndInBreak<Frame16>(variant, false));
   }
 }
 
@@ -316,4 +302,87 @@ TEST_CASE("isExactlyNext accepts only what judge() accepts as aligned") {
     }
   }
   CHECK(usual == 4 * 4 * 2 * 2);  // inner headers, end bytes, flags, gaps
+}
+
+// ---- Before the first frame
+
+TEST_CASE("turn: before the first frame, a slot's ID ends a frame if the frame before it announced the group before") {
+  for (unsigned first = 0; first < 4; first++) {
+    for (unsigned second = 0; second < 4; second++) {
+      INFO("first ", first, ", second ", second);
+      FrameSizeCheck<Frame16> acquisition = noneSeen();
+      const auto judge = [&](unsigned group) {
+        const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03, 0xC0};
+        const Case c = {bytes, Far, 0, true, false};
+        return rules::judge(c.candidate(), acquisition).isAccepted();
+      };
+      CHECK_FALSE(judge(first));
+      CHECK(judge(second) == (second == (first + 1) % 4));
+    }
+  }
+}
+
+TEST_CASE("stray: of two headers the first may be the stray character, if a frame can begin with the second") {
+  const auto judgedTwice = [](unsigned end, unsigned after) {
+    Bytes twice = bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + Bytes{static_cast<uint8_t>(after)};
+    twice[1] = 0x0F;
+    INFO("end byte ", end, ", then ", after);
+    const std::string verdict = judged({twice, 26, 9, false, false}, twoGaps(26));
+    CHECK_FALSE((verdict == "aligned" && isFrame(twice.data() + 1)));
+    return verdict;
+  };
+  for (const unsigned end : {0x00u, 0x04u, 0x14u, 0x24u, 0x34u}) {
+    for (unsigned after = 0; after < 256; after++) {
+      judgedTwice(end, after);
+    }
+  }
+  CHECK(judgedTwice(0x00, 0x00) == "goes on 2");
+  CHECK(judgedTwice(0x00, 0x01) == "aligned");
+  CHECK(judgedTwice(0x14, 0x00) == "aligned");
+}
+
+TEST_CASE("tail: a gap behind a tail aligns the first frame only if there is also a gap before the frame") {
+  Bytes tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
+  tailed[9] = 0x00;
+  tailed[10] = 0x0F;  // the tail may be the end of the frame that begins here
+  CHECK(judged({tailed, 30, 9, false, false}, twoGaps(30)) == "aligned");
+  CHECK(judged({tailed, 30, 9, false, false}, noneSeen()) == "false sync 10");
+  CHECK(judged({part(tailed, 0, 25), 25, 9, false, false}, noneSeen()) == "aligned");
+  CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "aligned");
+}
+
+TEST_CASE(
+    "other, first: before the first frame a line must show its gaps, and not look like one with the other frame size") {
+  const Bytes whole = Plain + Bytes{0x0F};
+  CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
+  CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
+  CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");
+  CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
+  FrameSizeCheck<Frame16> acquisition = twoGaps(36);
+  acquisition.characters(25);
+  acquisition.gap(25, true);  // a frame of the right size ends the doubts
+  CHECK(judged({whole, 0, 9, false, false}, acquisition) == "aligned");
+}
+
+TEST_CASE("frames are forbidden for eight gaps, or one if the characters may be the end of a frame of the other size") {
+  const struct {
+    unsigned run;
+    int waiting;
+    unsigned gaps;
+  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0}, {26, 25, 0}, {27, 25, 1},
+              {37, 25, 0}, {255, 25, 0}};
+  for (const auto &row : rows) {
+    INFO("run ", row.run, ", waiting ", row.waiting);
+    FrameSizeCheck<Frame16> acquisition = noneSeen();
+    acquisition.gap(0, true);
+    acquisition.characters(row.run);
+    CHECK(acquisition.gap(row.waiting, true) == (row.run == 36));
+    CHECK_FALSE(acquisition.gap(row.waiting, true));  // the same gap again
+    unsigned gaps = 0;
+    for (; !acquisition.allows(true, false); gaps++) {
+      acquisition.characters(3);
+      acquisition.gap(3, true);
+    }
+    CHECK(gaps == row.gaps);
+  }
 }

@@ -167,25 +167,3 @@ TEST_CASE("a frame with header 2F has 16 channels, packed as in any other, whate
     }
   }
 }
-
-TEST_CASE("innerHeader finds a header behind an end byte of the variant, or of any variant, and no other header") {
-  const struct {
-    unsigned variant, before;  // the byte before the 0F
-    bool found;
-  } rows[] = {{0, 0x00, true},  {0, 0x04, false}, {1, 0x34, true}, {1, 0x00, false}, {2, 0x08, true}, {2, 0x18, false},
-              {sbus::UnknownVariant, 0x00, true}, {sbus::UnknownVariant, 0x24, true}, {sbus::UnknownVariant, 0x08, true},
-              {sbus::UnknownVariant, 0x18, false}, {sbus::UnknownVariant, 0x44, false}};
-  for (const auto &row : rows) {
-    for (const unsigned size : {25u, 36u}) {
-      for (unsigned index = 2; index < size; index++) {
-        INFO("variant ", row.variant, ", before ", row.before, ", index ", index, ", size ", size);
-        LongFrame frame{};
-        frame.fill(0x55);
-        frame[0] = 0x0F;
-        frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
-        CHECK(sbus::innerHeader(frame.data(), static_cast<int>(size), static_cast<uint8_t>(row.variant)) ==
-              static_cast<int>(row.found ? index : size));
-      }
-    }
-  }
-}

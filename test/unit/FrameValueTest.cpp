@@ -78,32 +78,6 @@ TEST_CASE("until a frame comes, and once they stop, a frame says failsafe; its c
   CHECK(frame.age == ULONG_MAX);
 }
 
-TEST_CASE("of two frames in one poll read() returns the newer one; it and decodeSBusFrame() share what is new") {
-  OpenBoard board;
-  SBusFrame frame;
-  board.firstFrame(Neutral.bytes);
-  board.block(9 * Ms);
-  board.poll(join({PaperLow.bytes, PaperHigh.bytes}));
-  CHECK(board.sbus.read(frame));
-  check(frame, PaperHigh.channels, false, false);
-  board.nextFrame(PaperLow.bytes);
-  CHECK(board.channels() == PaperLow.channels);
-  CHECK_FALSE(board.sbus.read(frame));
-  check(frame, PaperLow.channels, false, false);
-}
-
-TEST_CASE("a run of lost frames as long as the loss limit is read as failsafe") {
-  OpenBoard board;
-  SBusFrame frame;
-  board.sbus.setLossLimit(3);
-  board.firstFrame(Neutral.bytes);
-  for (unsigned i = 1; i <= 4; i++) {
-    board.nextFrame(withByte(Neutral.bytes, 23, 4));
-    CHECK(board.sbus.read(frame));
-    check(frame, Neutral.channels, i >= 3, true);
-  }
-}
-
 TEST_CASE("the other decoders read as well: 24 channels, telemetry") {
   SBusFrame frame;
   FakeBoardOf<DecodeSBusTelemetry, sbus::Frame16> telemetry;

@@ -303,16 +303,3 @@ TEST_CASE("calls that come so late that the port's 64 bytes overflow: no frame i
     }
   }
 }
-
-TEST_CASE("... and each time an overflow is counted") {
-  for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
-    for (const unsigned lost : {1u, 3u, 9u}) {
-      INFO("ringAt ", ringAt, ", lost ", lost);
-      Watching<> board(Payload::Neutral, ringAt);
-      board.wholes(4);
-      const unsigned full = holdUp(board, lost);
-      CHECK(board.sbus.counters().overflows == full);
-      CHECK((board.port.droppedFull() != 0) == (full != 0));
-    }
-  }
-}

@@ -78,16 +78,6 @@ TEST_CASE("a frame that breaks off while interrupts are off is joined to no othe
   }
 }
 
-TEST_CASE("interrupts go off between two frames, and three characters of the next are kept: two periods show that") {
-  for (const unsigned lostFrames : {2u, 9u, HalfClock, WholeClock}) {
-    CAPTURE(lostFrames);
-    Line line;
-    const Frames whole = line.whole(0, 3, lostFrames);
-    CHECK(line.join(0, 3, lostFrames) == whole);
-    CHECK(line.finder.counters().shortfalls == 1);
-  }
-}
-
 TEST_CASE("a loop() that is blocked while the port keeps all costs no frame, and is no shortfall") {
   for (size_t at = 0; at < 25; at++) {
     for (const unsigned frames : {1u, 2u, 3u}) {
@@ -106,26 +96,6 @@ TEST_CASE("a loop() that is blocked while the port keeps all costs no frame, and
       CHECK(line.finder.counters().shortfalls == 0);
     }
   }
-}
-
-TEST_CASE("a gap that is certain stays so, though a late poll finds few bytes behind it and a stray header before it") {
-  Line line;
-  line.feed({0x0F});
-  line.wait(GapUs);
-  line.block(3000).poll(part(FailsafeFrame, 0, 5));
-  CHECK(line.feed(part(FailsafeFrame, 5)) == Frames{FailsafeFrame});  // it allows a false sync
-}
-
-TEST_CASE("bytes that a full buffer has lost are an overflow and no shortfall") {
-  Line line;
-  const Bytes frame = bytesOf(plainFrame(line.number));
-  line.feed(part(frame, 0, 10));
-  line.block(100000).poll(part(frame, 10) + part(frame, 0, 10));
-  line.finder.bytesLost();
-  line.wait(GapUs).feed(frame);
-  CHECK(line.finder.counters().overflows == 1);
-  CHECK(line.finder.counters().shortfalls == 0);
-  CHECK(line.finder.counters().frames == Learnt + 2);
 }
 
 TEST_CASE("no shortfall is counted while the period is unknown, nor if no poll finds nothing") {

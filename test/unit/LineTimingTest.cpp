@@ -179,50 +179,6 @@ TEST_CASE("an empty call proves silence once a burst would have been handed over
 }
 
 TEST_CASE(
-    "a byte ended after the call before, less the characters behind it and the silence that a port waits for after "
-    "each") {
-  LineTiming line = afterByte(1000);
-  line.empty(5000);
-  line.empty(8000);
-  silenceBefore<sbus::Frame16>(line, 25, 9000);
-  const struct {
-    unsigned behind;
-    uint32_t us;
-  } rows[] = {{0, 8000 - 4 * 120}, {1, 8000 - 9 * 120}, {12, 8000 - 64 * 120}, {16, 8000u - 84 * 120}, {400, 8000u - 84 * 120}};
-  for (const auto &row : rows) {
-    CAPTURE(row.behind);
-    CHECK(line.endedAfter(row.behind) == row.us);
-  }
-  silenceBefore<sbus::Frame16>(line, 25, 12000);  // no empty call between
-  CHECK(line.endedAfter(0) == 9000 - 4 * 120);
-}
-
-TEST_CASE("no gap is reported on a line without gaps, even of spread characters, whatever burst, loop and phase") {
-  const struct {
-    unsigned burst, idle;
-  } ports[] = {{16, 1}, {1, 0}, {8, 4}, {8, 2}};
-  for (const auto &port : ports) {
-    for (const uint32_t characterUs : {120u, 160u}) {
-      for (uint32_t loopUs = 40; loopUs <= 5000; loopUs += 62) {
-        INFO("burst ", port.burst, ", idle ", port.idle, ", characterUs ", characterUs, ", loopUs ", loopUs);
-        LineTiming line = timing(0, 120, static_cast<uint8_t>(port.idle));
-        uint32_t read = 0;
-        for (uint32_t now = loopUs; now < 300000; now += loopUs) {
-          const uint32_t there = now / characterUs / port.burst * port.burst;
-          if (there == read) {
-            line.empty(now);
-            continue;
-          }
-          const Silence silence = silenceBefore<sbus::Frame16>(line, there - read, now);
-          REQUIRE((silence == Silence::Unknown || read == 0));
-          read = there;
-        }
-      }
-    }
-  }
-}
-
-TEST_CASE(
     "if no call is ever empty, the shortest time between two calls replaces it, and proves a gap only if it is short") {
   const struct {
     const char *what;
@@ -261,20 +217,4 @@ TEST_CASE(
       }
     }
   }
-}
-
-TEST_CASE("a port that tells when the line was idle: its bytes took two characters' time each, the rest was silence") {
-  const struct {
-    unsigned found;
-    uint32_t us, silence;  // between two calls
-  } rows[] = {{1, 240, 0}, {1, 241, 1}, {16, 3840, 0}, {16, 3841, 1}, {25, 6000, 0}, {25, 9000, 3000}, {25, 0, 0}};
-  for (const auto &row : rows) {
-    for (const uint32_t before : {uint32_t{5000}, UINT32_MAX - 100}) {  // the clock wraps
-      INFO("found ", row.found, ", us ", row.us);
-      CHECK(timing(0).silence(row.found, before + row.us, before) == row.silence);
-      CHECK(timing(0, 60).silence(row.found, before + row.us / 2, before) == row.silence / 2);
-    }
-  }
-  CHECK(timing(0).shortestGap() == 240);
-  CHECK(timing(0, 60).shortestGap() == 120);
 }

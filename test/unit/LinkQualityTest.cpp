@@ -136,15 +136,6 @@ TEST_CASE("the quality is 0 before the first frame and while the link is stale; 
   CHECK(line.run(3, good) == Extent{100, 100});
 }
 
-TEST_CASE("in the first second the quality is the share of the frames that came") {
-  Line line(9000, 3000);
-  line.run(0.05, good);
-  const Extent quality = line.run(0.6, [](unsigned i) { return i % 2 == 0 ? Came::Lost : Came::Good; });
-  CHECK(quality.high <= 100);
-  CHECK(quality.low >= 45);
-  CHECK(quality.low <= 55);
-}
-
 TEST_CASE("asked once in 1 to 2 s, the quality is the share of the frames since four calls before") {
   for (const uint32_t loopUs : {999000u, 1000000u, 1100000u, 1900000u}) {
     CAPTURE(loopUs);
@@ -155,15 +146,6 @@ TEST_CASE("asked once in 1 to 2 s, the quality is the share of the frames since 
     CHECK(quality.low >= 45);
     CHECK(quality.high <= 51);
   }
-}
-
-TEST_CASE("a blocked loop costs some percent, for half a minute") {
-  Line line(9000, 3000);
-  line.run(5, good);
-  line.block(60000, good);
-  CHECK(line.run(2, good).low >= 92);
-  line.run(60, good);
-  CHECK(line.run(5, good) == Extent{100, 100});
 }
 
 TEST_CASE("missing frames still lower it after a minute; if a receiver stays slower, its new rate is expected") {

@@ -93,42 +93,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a connector that opens after a frame, and closes within a frame with a second reading: no frame is wrong, and the "
-    "first whole one is handed over") {
-  line::Random random(20181);
-  const Channels right = readBitByBit(SecondReading);
-  for (const uint64_t periodUs : {4000u, 6000u, 6300u, 7000u, 9000u, 14000u, 15000u}) {
-    for (const uint64_t pollUs : {0u, 1000u, 3000u, 4000u, 5000u, 12000u, 20000u}) {
-      CAPTURE(periodUs);
-      CAPTURE(pollUs);
-      Listening board;
-      size_t sent = 0;
-      uint64_t nextUs = fakeMicros + pollUs;
-      const auto frame = [&](size_t from) {
-        board.frame(part(SecondReading, from), periodUs - 120 * from);
-        sent += from == 0;
-        if (pollUs != 0 && fakeMicros >= nextUs) {
-          board.sbus.parseSBusFrame();
-          board.take();
-          nextUs = fakeMicros + pollUs;
-        }
-      };
-      for (size_t place = 1; place < SecondReading.size(); place++) {
-        for (unsigned frames = 0; frames < 4; frames++) {
-          frame(0);
-        }
-        board.pass(4000 + random.below(46000));
-        frame(place);
-      }
-      frame(0);
-      frame(0);
-      CHECK(board.wrong(right) == 0);
-      CHECK(board.sbus.counters().frames == sent);
-    }
-  }
-}
-
 TEST_CASE("the silence after 36 characters that one call found is seen: what came before it is no part of the next frame") {
   for (unsigned ring = 0; ring < 16; ring++) {
     CAPTURE(ring);
@@ -192,34 +156,6 @@ TEST_CASE("a character 00 after each frame costs no frame for long, wherever the
     board.frame(bytesOf(plainFrame(number)) + Bytes{0}, 9 * Ms);
   }
   CHECK(board.sbus.counters().frames >= 180);
-}
-
-TEST_CASE("frameAge() is never less than a frame's age, however late the calls are, and not much more") {
-  const struct {
-    uint32_t latestUs;
-    unsigned long mostMs;  // too much; if one call finds a whole frame, a frame period
-  } rows[] = {{1, 4}, {300, 4}, {1500, 10}};
-  for (const auto &row : rows) {
-    CAPTURE(row.latestUs);
-    line::Random random(20183);
-    Listening board;
-    unsigned long most = 0;
-    for (unsigned number = 0; number < 300; number++) {
-      board.heldUpUs = random.below(row.latestUs);
-      board.send(bytesOf(plainFrame(number)));
-      const uint64_t endUs = fakeMicros;
-      const size_t before = board.frames.size();
-      for (unsigned i = 0; i < 50; i++) {
-        board.pass(120);
-        if (board.frames.size() != before && board.frames.back() == readBitByBit(plainFrame(number))) {
-          const unsigned long least = static_cast<unsigned long>((fakeMicros - endUs) / 1000);
-          CHECK(board.sbus.frameAge() >= least);
-          most = std::max(most, board.sbus.frameAge() - least);
-        }
-      }
-    }
-    CHECK(most <= row.mostMs);
-  }
 }
 
 TEST_CASE("if the port's event is lost, a method that finds the newest frame old reads what waits, and all goes on") {
@@ -291,16 +227,4 @@ TEST_CASE(
   DecodeSBus sbus(usb);
   sbus.begin();
   CHECK(usb.callbacks == 0);
-}
-
-TEST_CASE("DecodeSBus24 and DecodeSBusTelemetry listen by themselves as well") {
-  ListeningBoardOf<DecodeSBus24> board;
-  board.sbus.begin();
-  board.pass(20 * Ms);
-  for (unsigned number = 0; number < 10; number++) {
-    board.frame(bytesOf(Published24.bytes), 9 * Ms);
-  }
-  board.send({0x0F});
-  board.pass(1 * Ms);
-  CHECK(board.sbus.counters().frames == 10);
 }

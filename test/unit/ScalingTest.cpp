@@ -27,22 +27,6 @@ constexpr struct {
 
 }  // namespace
 
-TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1000, 0, +1000, and back") {
-  for (const auto &row : Ranges) {
-    const struct {
-      uint16_t raw;
-      int16_t us, thousandths;
-    } points[] = {{row.range.low, 988, -1000}, {row.range.centre, 1500, 0}, {row.range.high, 2012, 1000}};
-    for (const auto &point : points) {
-      INFO(row.name, ", raw ", point.raw);
-      CHECK(sbus::toMicroseconds(point.raw, row.range) == point.us);
-      CHECK(sbus::toNormalized(point.raw, row.range) == point.thousandths);
-      CHECK(sbus::fromMicroseconds(point.us, row.range) == point.raw);
-      CHECK(sbus::fromNormalized(point.thousandths, row.range) == point.raw);
-    }
-  }
-}
-
 TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped to 32767, and come back") {
   for (const auto &row : Ranges) {
     CAPTURE(row.name);

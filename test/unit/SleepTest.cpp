@@ -88,23 +88,6 @@ TEST_CASE("loop() sleeps: a cut line is in failsafe within the timeout and a loo
   }
 }
 
-TEST_CASE("loop() sleeps while frames come: none is stale, and none is older than its period") {
-  for (const uint64_t readUs : {20 * Ms, 150 * Ms, 2 * Second}) {
-    CAPTURE(readUs);
-    Sleeper board;
-    board.sleep(true);
-    const uint32_t frames = board.sbus.counters().frames;
-    unsigned count = 0;
-    for (uint64_t us = 0; us < 20 * Second; us += readUs, count += static_cast<unsigned>(readUs / Sleeper::PeriodUs)) {
-      board.fly(static_cast<unsigned>(readUs / Sleeper::PeriodUs));
-      checkStale(board.sbus, false);
-      CHECK(board.sbus.frameAge() <= 9);
-    }
-    CHECK(board.sbus.counters().frames == frames + count);
-    CHECK(board.sbus.counters().discardedBytes == 0);
-  }
-}
-
 TEST_CASE("after a deep sleep the first read says failsafe; ages grow from sleep to sleep, and saturate") {
   for (const uint64_t start : {5 * Second, MicrosWrap - 7 * Second, MillisWrap - 7 * Second}) {
     for (const uint64_t sleepUs : {100 * Ms, 5 * Second, 40 * 60 * Second, 73 * 60 * Second, 3 * Hour}) {
@@ -176,21 +159,6 @@ TEST_CASE("the first frame after 50 ms of sleep may be of before it, or of two: 
   }
 }
 
-TEST_CASE("begin(), a sleep, and frames: the first one is stale, also if it was received in part before the sleep") {
-  fakeReset();
-  ListeningBoard board;
-  board.sbus.begin();
-  board.pass(20 * Ms);
-  board.send(part(PaperLow.bytes, 0, 12));
-  fakeDeepSleep(5 * Second);
-  board.send(part(PaperLow.bytes, 12));
-  board.pass(6 * Ms);
-  CHECK_FALSE(board.sbus.SBusFrameOk());
-  board.frame(bytesOf(PaperHigh.bytes), 9 * Ms);
-  board.frame(bytesOf(PaperHigh.bytes), 9 * Ms);
-  CHECK(board.sbus.SBusFrameOk());
-}
-
 TEST_CASE("on a board that is awake, millis() changes no age, whatever its ticks, at any time of both clocks") {
   for (const uint64_t start : {2 * Second, MicrosWrap - 50 * Ms, MillisWrap - 50 * Ms, MillisWrap - 120 * Ms}) {
     for (const unsigned long baud : {100000ul, 200000ul}) {
@@ -230,20 +198,6 @@ TEST_CASE("on a board that is awake, no frame is stale over five hours, with pau
   }
 }
 
-TEST_CASE("frames that wait while loop() is blocked, awake, for less than the timeout are not stale, on a polled port") {
-  for (uint64_t blockedUs = 40 * Ms; blockedUs < 95 * Ms; blockedUs += 700) {
-    CAPTURE(blockedUs);
-    SyncedBoard board;
-    for (unsigned round = 0; round < 5; round++) {
-      board.nextFrame(PaperLow.bytes);
-      board.port.arrive(bytesOf(PaperHigh.bytes));
-      board.block(blockedUs);
-      board.sbus.parseSBusFrame();
-      REQUIRE(board.sbus.linkState() == LinkState::Ok);
-    }
-  }
-}
-
 TEST_CASE("extra channels from before a sleep are stale after it, until they come again") {
   for (const uint64_t sleepUs : {100 * Ms, 5 * Second}) {
     for (const bool goesOn : {false, true}) {
@@ -275,19 +229,6 @@ TEST_CASE("extra channels from before a sleep are stale after it, until they com
       receive();
       receive();
       CHECK(board.sbus.decodeExtraChannels(channels.data()));
-    }
-  }
-}
-
-TEST_CASE("the link quality of a board that sleeps, and then stays awake, is 100") {
-  Sleeper board;
-  sbus::LinkQuality quality;
-  for (const bool isAsleep : {false, true, false, true, false}) {
-    board.sleep(isAsleep);
-    for (unsigned number = 0; number < 1000; number++) {
-      board.fly(1);
-      const uint8_t percent = quality.update(board.sbus);
-      REQUIRE(percent >= (number < 200 ? 98 : 99));
     }
   }
 }

@@ -124,47 +124,6 @@ TEST_CASE("the characters between two frames are slots of the announced group, o
   }
 }
 
-TEST_CASE("a whole group is rejected if any one character is lost or doubled, or any two are lost") {
-  for (uint8_t group = 0; group < 4; group++) {
-    const auto end = static_cast<uint8_t>(group << 4 | 4);
-    const Bytes whole = wholeGroup(group);
-    for (std::size_t i = 0; i < whole.size(); i++) {
-      CAPTURE(i);
-      Bytes impaired = whole;
-      impaired.insert(impaired.begin() + static_cast<std::ptrdiff_t>(i), whole[i]);
-      CHECK(read(end, impaired) == "rejected");
-      impaired = whole;
-      impaired.erase(impaired.begin() + static_cast<std::ptrdiff_t>(i));
-      CHECK(read(end, impaired) == "rejected");
-      for (std::size_t j = 0; j < impaired.size(); j++) {
-        Bytes less = impaired;
-        less.erase(less.begin() + static_cast<std::ptrdiff_t>(j));
-        CHECK(read(end, less) == "rejected");
-      }
-    }
-  }
-}
-
-TEST_CASE("once a break has followed a slot, a group is rejected if any one character is lost but the frame's break") {
-  for (uint8_t group = 0; group < 4; group++) {
-    for (const size_t slots : {size_t{1}, size_t{2}, size_t{8}}) {
-      const auto end = static_cast<uint8_t>(group << 4 | 4);
-      Bytes whole = wholeGroup(group, true);
-      whole.resize(1 + 4 * slots);
-      uint32_t breaks = 0;
-      const std::string all = read(end, whole, breaks);
-      CHECK(all != "rejected");
-      for (size_t i = 0; i < whole.size(); i++) {
-        INFO("group ", int{group}, ", slots ", slots, ", i ", i);
-        Bytes impaired = whole;
-        impaired.erase(impaired.begin() + static_cast<std::ptrdiff_t>(i));
-        CHECK(read(end, impaired, breaks) == (i == 0 ? all : "rejected"));
-      }
-      CHECK(read(end, whole, breaks) == all);
-    }
-  }
-}
-
 namespace {
 
 // A group with some of its slots, whose data are often 00 or the ID of one of its slots.
@@ -264,8 +223,4 @@ TEST_CASE("a group before a frame that was rejected is read up to the header") {
   CHECK(read({0x03, 1, 2, 0x83, 3, 4, 0xE3, 5, 0x0F, 0x0F}) == 0x03);  // slot 7 may have lost a character
   CHECK(read({0x03, 1, 2, 0x83, 3, 0xE3, 5, 6, 0x0F}) == 0x01);
   CHECK(read({0x03, 1, 0x83, 3, 4, 0xE3, 5, 6, 0x0F}) == 0x00);
-}
-
-TEST_CASE("the whole group with breaks is the longest that is read") {
-  CHECK(wholeGroup(0, true).size() == sbus::GroupSizeMax);
 }

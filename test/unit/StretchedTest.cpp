@@ -219,56 +219,6 @@ TEST_CASE("a wide gap inside rejects, at each place; a gap of up to 1.5 ms more 
   }
 }
 
-TEST_CASE("a wide gap inside rejects, with others before it or after it") {
-  for (const uint32_t firstUs : {LeastUs, MostUs, WideUs}) {
-    for (const uint32_t secondUs : {LeastUs, MostUs, WideUs}) {
-      INFO("firstUs ", firstUs, ", secondUs ", secondUs);
-      Line line;
-      line.learn();
-      const Frame frame = neutralFrame(line.number++);
-      Frames frames = line.feed(part(frame, 0, 8));
-      frames = frames + line.wait(firstUs).waited;
-      frames = frames + line.feed(part(frame, 8, 16));
-      frames = frames + line.wait(secondUs).waited;
-      frames = frames + line.feed(part(frame, 16));
-      frames = frames + line.wait(WideUs).waited;
-      CHECK(line.named(frames) == (firstUs != WideUs && secondUs != WideUs ? "it" : "nothing"));
-    }
-  }
-}
-
-TEST_CASE("a gap inside that is only likely rejects, and shows all the same that the sender stretches frames") {
-  const auto likely = [](Line &line) {
-    const Frame frame = neutralFrame(line.number++);
-    line.feed(part(frame, 0, 12));
-    line.finder.likelyGap();
-    const Frames frames = line.feed(part(frame, 12));
-    return line.named(frames + line.wait(WideUs).waited);
-  };
-  Line line;
-  CHECK(likely(line) == "nothing");
-  CHECK(line.stretched() == "it");
-  CHECK(likely(line) == "nothing");
-  CHECK(line.stretched() == "it");
-  CHECK(line.whole() == "it");
-}
-
-TEST_CASE("25 characters with a gap inside are no frame if anything but a gap follows them") {
-  for (const Bytes &after : {Bytes{0x0F}, Bytes{0x2F}, Bytes{0x55}, Bytes{0x00}, bytesOf(neutralFrame(9))}) {
-    CAPTURE(after);
-    Line line;
-    line.learn();
-    const Frame frame = neutralFrame(line.number);
-    CHECK(line.feed(part(frame, 0, 12)).empty());
-    CHECK(line.wait(LeastUs).waited.empty());
-    CHECK(line.feed(part(frame, 12)).empty());
-    Frames frames = line.feed(after);
-    frames = frames + line.wait(WideUs).waited;
-    CHECK(std::count(frames.begin(), frames.end(), frame) == 0);
-    CHECK(line.whole() == "it");
-  }
-}
-
 TEST_CASE("that a sender stretches frames is forgotten after a hundred without gaps inside") {
   for (const unsigned whole : {98u, 99u, 100u, 101u}) {
     CAPTURE(whole);
@@ -280,14 +230,6 @@ TEST_CASE("that a sender stretches frames is forgotten after a hundred without g
     CHECK(line.stretched() == (whole < 100 ? "it" : "nothing"));
     CHECK(line.stretched() == "it");
   }
-}
-
-TEST_CASE("reset() forgets that a sender stretches frames") {
-  Line line;
-  line.learn();
-  line.finder.reset(line.now, Line::CharacterUs, 0);
-  line.lock();
-  CHECK(line.stretched() == "nothing");
 }
 
 TEST_CASE(

@@ -21,9 +21,9 @@ SECTIONS := -ffunction-sections -fdata-sections
 ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
 INCLUDES := -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -I$(HERE)
 
-# PreemptTest and PreemptListeningTest live on x86's trap flag and Linux's signals, there is no RapidCheck for PropertiesTest,
-# SBus2SensorTest plays to a simulated S.BUS2 wire, and FifoWatchTest needs 180 million steps.
-LEFT_OUT := FifoWatchTest PreemptTest PreemptListeningTest PropertiesTest SBus2SensorTest
+# PreemptTest and PreemptListeningTest live on x86's trap flag and Linux's signals, SBus2SensorTest plays to a simulated
+# S.BUS2 wire, and FifoWatchTest needs 180 million steps.
+LEFT_OUT := FifoWatchTest PreemptTest PreemptListeningTest SBus2SensorTest
 RUNTIME := $(OUT)/Main.o $(OUT)/Runtime.o $(OUT)/Start.o
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
