@@ -28,8 +28,6 @@ void addSubcommands(CLI::App &app) {
   tool::addWatch(app);
   tool::addSend(app);
   tool::addBridge(app);
-  tool::addCalibrate(app);
-  tool::addJoystick(app);
   tool::addDecode(app);
   tool::addWave(app);
   tool::addExplain(app);

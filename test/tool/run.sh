@@ -277,8 +277,8 @@ for table in captures dumps; do
   mkdir "$work/$table"
   python3 "tool/$table.py" "$sbus" "$work/$table"
 done
-for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry recipes calibrate \
-  joystick pages doctor explain; do
+for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry recipes \
+  pages doctor explain; do
   tool/$part.sh
   [ $? -lt 126 ] || verdict 1 "tool/$part.sh can be run"
 done

@@ -22,8 +22,6 @@ void addRecord(CLI::App &app);
 void addWatch(CLI::App &app);
 void addSend(CLI::App &app);
 void addBridge(CLI::App &app);
-void addCalibrate(CLI::App &app);
-void addJoystick(CLI::App &app);
 void addDecode(CLI::App &app);
 void addWave(CLI::App &app);
 void addDoctor(CLI::App &app);
