@@ -30,7 +30,6 @@ void addSubcommands(CLI::App &app) {
   tool::addBridge(app);
   tool::addDecode(app);
   tool::addWave(app);
-  tool::addExplain(app);
   tool::addHelp(app);
 }
 

@@ -28,6 +28,5 @@ void addDoctor(CLI::App &app);
 void addSummary(CLI::App &app);
 void addCompare(CLI::App &app);
 void addTelemetry(CLI::App &app);
-void addExplain(CLI::App &app);
 
 }  // namespace tool
