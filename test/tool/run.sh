@@ -277,7 +277,7 @@ for table in captures dumps; do
   mkdir "$work/$table"
   python3 "tool/$table.py" "$sbus" "$work/$table"
 done
-for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry recipes \
+for part in wire hex files kinds counts send bridge stalls faults watch compare json summary stream systems telemetry recipes \
   pages doctor; do
   tool/$part.sh
   [ $? -lt 126 ] || verdict 1 "tool/$part.sh can be run"

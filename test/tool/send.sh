@@ -138,6 +138,9 @@ ch1=|"ch1=" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -
 ch17=2|"ch17=2" is out of range; on or off is expected
 ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected
 END
+! timeout 60 "$SBUS" send sim --seconds 0.1 >"$work/out" 2>"$work/err" &&
+  grep -qxE "sbus send: no program has opened $(cat "$work/out") within 0.1 s; start the reader earlier, or leave --seconds out" "$work/err" || { cat "$work/err"; false; }
+verdict $? "send to a pseudo-terminal without a reader ends after --seconds: $(tail -n 1 "$work/err")"
 : | timeout 20 "$SBUS" send - >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -qxF 'sbus send: -: is empty: bytes of a line are expected' "$work/err" && [ ! -s "$work/out" ]
 verdict $? "send says that a pipe has brought nothing: $(tail -n 1 "$work/err")"
