@@ -69,25 +69,6 @@ printf '%s\n' "1,2,3,4,$rest,0,0,0,1" "5,6,7,8,$rest,0,0,1,0" >"$work/wanted"
 sent "$work/sketch.csv" && uniq "$work/rows" | cmp - "$work/wanted"
 verdict $? "send sends a sketch's rows"
 
-# ---- Passes of --loop
-
-awk 'BEGIN { for (i = 1; i <= 40; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", 5000 + i * 9000, i }' >"$work/loop.json"
-"$SBUS" record "$work/loop.json" -o "$work/loop.txt" 2>"$work/err"
-for file in loop.json loop.txt; do
-  while read -r first last arguments; do
-    # shellcheck disable=SC2086  # the arguments are words
-    "$SBUS" bridge "$work/$file" - --loop --seconds 1.5 $arguments 2>"$work/err" | grep '"frame"' |
-      sed 's/.*"time_us":\([0-9]*\).*"channels":.\([0-9]*\),.*/\1 \2/' >"$work/passes"
-    awk -v first="$first" -v last="$last" 'NR == 1 && $2 != first { bad = 1 }
-      NR > 1 && ($2 != (before == last ? first : before + 1) || $1 - us != 9000) { bad = 1; print us, before, $1, $2 }
-      { us = $1; before = $2 } END { exit bad || NR < 100 }' "$work/passes" || { cat "$work/err"; false; }
-    verdict $? "passes of --loop follow each other at the line's period, with whole frames: $file $arguments, $(wc -l <"$work/passes") frames"
-  done <<'END'
-1 40
-13 23 --from 0.1105 --to 0.2125
-END
-done
-
 # rejected MESSAGE ARGUMENTS...: standard input is $work/x.csv
 rejected() {
   message=$1

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/LoopedLine.h"
 #include "cli/RepeatedFrames.h"
 #include "line/ports/ByteStream.h"
 #include "line/ports/Reopened.h"
@@ -71,9 +70,6 @@ SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows,
           .notEmpty()
           .type("NAME");
   _given.part.addTo(subcommand);
-  if (playback == Playback::RealTime) {
-    _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
-  }
   _given.simulatedTime =
       subcommand.flag("--simulated-time", "play sim and - as fast as possible, with the same output each time");
 }
@@ -175,9 +171,6 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
       rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
     }
     _given.part.reject("is for a file; leave it out for " + parsed.name);
-    if (_given.playback == Playback::RealTime && _given.loop.given()) {
-      rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
-    }
   }
 }
 
@@ -299,18 +292,6 @@ double SourceOption::leftSeconds() const {
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  if (_given.playback == Playback::RealTime && _given.loop.given()) {
-    if (_isLiveText) {
-      rejectCommandLine("--loop: is for a file; leave it out for " + name());
-    }
-    const bool isSent = _given.rows == Rows::Sent && !_given.asRows.given();  // as frames
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs(zeroUs()),
-                                        port.characterUs(), isSent || !file().isRows());
-  }
-  return openOnce(port);
-}
-
-std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &port) const {
   const Parsed &parsed = this->parsed();
   switch (parsed.kind) {
     case Kind::Port: {

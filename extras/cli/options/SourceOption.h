@@ -93,7 +93,6 @@ class SourceOption {
     double seconds = 0;
     Option asRows;
     PartOption part;
-    Option loop;
     Option simulatedTime;
     Option signal;
     line::Overrides overrides;
@@ -116,7 +115,6 @@ class SourceOption {
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openText() const;
-  std::unique_ptr<line::Line> openOnce(const line::LineSettings &port) const;
   void rejectOptions(const Parsed &parsed) const;
   void rejectRows() const;
   static void rejectDisturbing(const Parsed &parsed, const char *what);
