@@ -53,16 +53,15 @@ install: $(if $(filter file,$(origin SBUS)),sbus)
 	@install -D -m 644 extras/cli/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
 	@install -D -m 644 extras/cli/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'
 	@install -D -m 644 extras/cli/completion.bash '$(installed)/share/bash-completion/completions/sbus'
-	@install -D -m 644 extras/cli/60-sbus-uinput.rules '$(installed)/lib/udev/rules.d/60-sbus-uinput.rules'
 	@echo '$(installed)/bin/sbus'
 
 # Folders that a system has anyway stay.
 uninstall:
 	@rm -fv $(foreach file,bin/sbus share/man/man1/sbus.1 share/bash-completion/completions/sbus \
-	  share/zsh/site-functions/_sbus share/fish/vendor_completions.d/sbus.fish lib/udev/rules.d/60-sbus-uinput.rules,'$(installed)/$(file)')
+	  share/zsh/site-functions/_sbus share/fish/vendor_completions.d/sbus.fish,'$(installed)/$(file)')
 	@rmdir $(foreach folder,share/bash-completion/completions share/bash-completion share/zsh/site-functions share/zsh \
-	  share/fish/vendor_completions.d share/fish lib/udev/rules.d lib/udev share/man/man1 \
-	  $(if $(filter /usr /usr/local,$(PREFIX)),,share/man share lib bin),'$(installed)/$(folder)') \
+	  share/fish/vendor_completions.d share/fish share/man/man1 \
+	  $(if $(filter /usr /usr/local,$(PREFIX)),,share/man share bin),'$(installed)/$(folder)') \
 	  $(if $(filter /usr /usr/local,$(PREFIX)),,'$(installed)') 2>/dev/null || :
 
 SCOPE_PORT ?= 8000
@@ -74,7 +73,7 @@ scope:
 CAPTURES ?=
 # WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
 SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 nlohmann-json3-dev $(if $(shell command -v npm),,nodejs npm)
-TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev nlohmann-json3-dev 'pkg-config|pkgconf'
+TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev nlohmann-json3-dev
 # What TOOL's static libraries need.
 STATIC := nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev
 AVR := gcc-avr avr-libc arduino-core-avr
@@ -89,7 +88,7 @@ test:
 	@$(MAKE) --no-print-directory $(jobs) -C test
 
 test-all:
-	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory $(jobs) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:

@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "cli/Output.h"
-#include "cli/Progress.h"
 #include "cli/Stop.h"
-#include "line/Format.h"
 #include "line/system/System.h"
 
 namespace tool {
@@ -97,15 +95,6 @@ bool Input::advance() {
   return true;
 }
 
-void Input::tellProgress() {
-  constexpr uint64_t Each = 256;  // ticks
-  if (_pace == Pace::AtOnce && _nowUs / TickUs % Each == 0 && isProgressDue()) {
-    const uint64_t doneUs = _nowUs - _startUs;
-    showProgress(_endUs < UINT64_MAX ? line::format("%d %% done", static_cast<int>(100 * doneUs / (_endUs - _startUs)))
-                                     : line::format("%.0f s of the line", static_cast<double>(doneUs) / 1e6));
-  }
-}
-
 // Returns true if the seconds are over by the clock, even if no tick has come.
 bool Input::isOverdue() const {
   return _seconds > 0 && static_cast<double>(sinceUs()) > _seconds * 1e6;
@@ -121,7 +110,6 @@ void Input::run(const std::function<void(const line::Character &)> &put,
       advance();
       continue;
     }
-    tellProgress();
     while (!advance() && !stopped()) {
       flush();
       wait();
@@ -156,7 +144,6 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
         goesOn[i] = false;
       }
     }
-    one.tellProgress();
     if (waits) {
       flush();
       std::this_thread::sleep_for(Soon);

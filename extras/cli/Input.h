@@ -88,7 +88,6 @@ class Input {
   bool step(const Taker &taker);
   uint64_t dueForUs(uint64_t endUs) const;
   bool advance();
-  void tellProgress();
   bool isOverdue() const;
   uint64_t clockUs() const;
   uint64_t sinceUs() const { return clockUs() - _startedUs; }

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "cli/Progress.h"
 #include "line/recording/RecordingFile.h"
 #include "line/system/System.h"
 
@@ -36,10 +35,6 @@ void setLineByLine() {
 }
 
 void write(const std::string &text) {
-  static const bool isShown = isTerminal();
-  if (isShown) {
-    hideProgress();
-  }
   // fwrite() does not report that an earlier flush failed; ferror() does.
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::ferror(stdout) != 0) {
     fail();

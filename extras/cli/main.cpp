@@ -7,7 +7,6 @@
 #include <exception>
 #include <iostream>
 
-#include "cli/Progress.h"
 #include "cli/Stop.h"
 #include "cli/options/CommandLine.h"
 #include "cli/subcommands/Subcommands.h"
@@ -28,11 +27,8 @@ void addSubcommands(CLI::App &app) {
   tool::addWatch(app);
   tool::addSend(app);
   tool::addBridge(app);
-  tool::addCalibrate(app);
-  tool::addJoystick(app);
   tool::addDecode(app);
   tool::addWave(app);
-  tool::addExplain(app);
   tool::addHelp(app);
 }
 
@@ -58,16 +54,13 @@ int main(int argc, char **argv) {
       "standard input, or sim, a built-in receiver. `sbus help SUBCOMMAND` and `man sbus` tell more.");
   addSubcommands(app);
   tool::catchSignals();
-  tool::watchProgress();
   try {
     if (argc > 1 && std::strcmp(argv[1], "__complete") == 0) {  // of completion.bash, completion.zsh, completion.fish
       tool::printCompletions(app, {argv + 2, argv + argc});
       return EXIT_SUCCESS;
     }
     app.parse(argc, argv);
-    tool::hideProgress();
   } catch (const CLI::RuntimeError &error) {
-    tool::hideProgress();
     return error.get_exit_code();  // the subcommand has said why
   } catch (const CLI::ParseError &error) {
     if (argc == 1) {
@@ -85,7 +78,6 @@ int main(int argc, char **argv) {
     const int status = app.exit(error, std::cout, std::cerr);
     return status != 0 ? tool::WrongCommandLine : std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception &error) {
-    tool::hideProgress();
     std::fprintf(stderr, "%s: %s\n", nameOf(app).c_str(), error.what());
     return EXIT_FAILURE;
   }

@@ -15,7 +15,7 @@ version=$(sed -n 's/^version=//p' library.properties)
 maintainer=$(sed -n 's/^maintainer=//p' library.properties)
 architecture=$(dpkg --print-architecture)
 homepage=$(sed -n 's/^url=//p' library.properties)
-libraries='libserialport-dev libarchive-dev libncurses-dev libevdev-dev nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev'
+libraries='libserialport-dev libarchive-dev libncurses-dev nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev'
 zip=$(sh extras/setup/zip.sh)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
@@ -38,7 +38,7 @@ package_static() {  # SBUS STRIP NAME
     printf '\n---- %s\n\n' "$library"
     cat "/usr/share/doc/$library/copyright"
   done >>"$folder/share/doc/sbus/copyright"
-  tar cf - -C "$folder" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" bin lib share |
+  tar cf - -C "$folder" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" bin share |
     gzip -9n >"$dist/$3.tar.gz"
 }
 

@@ -99,3 +99,7 @@ monitor --seconds 0.3|  ok .*  - frames/s,
 monitor --json --seconds 0.3|"frames_per_second":null
 END
 done
+# shellcheck disable=SC2002  # a pipe, not a file
+cat "$work/bytes.bin" | "$SBUS" hex - >"$work/piped" 2>"$work/err" && "$SBUS" hex "$work/bytes.bin" 2>"$work/note" | cmp - "$work/piped" &&
+  grep -qx -- '-: bytes without times: times are not known, played as fast as a line' "$work/err"
+verdict $? "bytes that come at once through a pipe play at the line's rate, which is said: $(cat "$work/err")"

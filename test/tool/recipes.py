@@ -1,5 +1,5 @@
 """Runs the programs and commands of a page of recipes: recipes.py PAGE FOLDER. A command of the page that no line below takes is
-a failure. Receivers are UDP sockets and pseudo-terminals here; rclpy and, where it is not installed, pymavlink are stand-ins."""
+a failure. Receivers are UDP sockets and pseudo-terminals here; rclpy, evdev and, where it is not installed, pymavlink are stand-ins."""
 import atexit
 import contextlib
 import importlib.util
@@ -286,6 +286,29 @@ command = taken("sbus bridge /dev/ttyUSB0 - | python3 ros.py")
 follows("ros.py", lambda source: run(on(command, source)).stdout.splitlines(), f"[{819 / 819.5}, 0.0, {-492 / 819.5}, 0.0] [1]",
         "[0.0, 0.0, -1.0, 0.0] [0]")
 verdict("[1.0, -1.0, -1.0, 0.0] [1]" in run(on(command, "ch1=2047,ch2=0")).stdout, "ros.py limits its axes to -1..1")
+
+# ---- A game controller for simulators and games
+
+(folder / "evdev.py").write_text('''import collections
+AbsInfo = collections.namedtuple("AbsInfo", "value min max fuzz flat resolution")
+class ecodes:  # Linux, include/uapi/linux/input-event-codes.h
+    EV_KEY, EV_ABS, BTN_TRIGGER = 1, 3, 0x120
+    ABS_X, ABS_Y, ABS_Z, ABS_RX, ABS_RY, ABS_RZ, ABS_THROTTLE, ABS_RUDDER = range(8)
+class UInput:
+    def __init__(self, events, name):
+        self.axes, self.now = dict(events[ecodes.EV_ABS]), {}
+        self.known = {(ecodes.EV_ABS, axis) for axis in self.axes} | {(ecodes.EV_KEY, key) for key in events[ecodes.EV_KEY]}
+    def write(self, kind, code, value):
+        assert (kind, code) in self.known
+        assert value in (0, 1) if kind == ecodes.EV_KEY else self.axes[code].min <= value <= self.axes[code].max
+        self.now[code] = value
+    def syn(self): print([self.now[code] for code in [*range(8), *range(0x120, 0x128)]], flush=True)
+''')
+command = taken("sbus bridge /dev/ttyUSB0 - | python3 joystick.py")
+follows("joystick.py", lambda source: run(on(command, source)).stdout.splitlines(), str([1811, 992, 500] + [992] * 5 + [0] * 8),
+        str([992, 992, 172] + [992] * 5 + [0] * 8))
+verdict(str([1811, 172, 172] + [992] * 5 + [1, 0, 1] + [0] * 5) in run(on(command, "ch1=2047,ch2=0,ch9=1811,ch10=1402,ch11=1403")).stdout,
+        "joystick.py limits its axes, and presses buttons above +50 %")
 
 # ---- A game controller: js_event of a FIFO, which ends where a device would say that it is gone
 

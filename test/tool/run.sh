@@ -142,7 +142,7 @@ for arguments in '80 help bridge' '80 --help-all' '100 watch --help' '50 help se
   "$sbus" ${arguments#* } | tr -s ' \n' '\n' | cmp - "$work/came" && [ "$longest" -le "${arguments%% *}" ]
   verdict $? "help fits the terminal's width: $arguments, $longest columns"
 done
-for subcommand in hex explain doctor; do
+for subcommand in hex doctor; do
   "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -qE "^(Usage: )?sbus $subcommand " "$work/help"
   verdict $? "help $subcommand and $subcommand --help print the same"
 done
@@ -277,8 +277,8 @@ for table in captures dumps; do
   mkdir "$work/$table"
   python3 "tool/$table.py" "$sbus" "$work/$table"
 done
-for part in wire hex files kinds counts send bridge stalls faults progress watch compare json summary stream systems telemetry recipes calibrate \
-  joystick pages doctor explain; do
+for part in wire hex files kinds counts send bridge stalls faults watch compare json summary stream systems telemetry recipes \
+  pages doctor; do
   tool/$part.sh
   [ $? -lt 126 ] || verdict 1 "tool/$part.sh can be run"
 done

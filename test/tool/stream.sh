@@ -164,6 +164,21 @@ done <<'END'
 {"type":"end"}| has no frames; JSON lines as sbus hex --json writes them are expected
 {"type":"frame"| ends within an object; JSON lines as sbus hex --json writes them are expected
 END
+rest=992,992,992,992,992,992,992,992,992,992,992,992,992,992,992
+"$SBUS" csv "$work/16.txt" --every-frame --header --columns time,ch1-ch16,failsafe --to 1 >"$work/good.csv"
+while IFS='|' read -r row message; do
+  (cat "$work/good.csv"; echo "$row") >"$work/x.csv"
+  (cd "$work" && timeout 60 "$SBUS" hex x.csv) >"$work/out" 2>"$work/err"
+  [ $? -eq 1 ] && grep -qxF "sbus hex: x.csv:$(wc -l <"$work/x.csv"): $message" "$work/err" || { cat "$work/err"; false; }
+  verdict $? "rows that are frames: $message"
+done <<END
+2,992|has 2 fields; 18 are expected
+2,2048,$rest,0|"2048" is not a value for column 2; 0 to 2047 is expected
+2,1.5,$rest,0|"1.5" is not a value for column 2; 0 to 2047 is expected
+2,992,$rest,2|"2" is not a value for column 18; 0 or 1 is expected
+soon,992,$rest,0|"soon" is not a value for column 1; a time in seconds is expected
+0.5,992,$rest,0|its time is before that of the previous row
+END
 head -n 3 "$work/line.json" >"$work/two.json" && echo '["frame"]' >>"$work/two.json"
 "$SBUS" hex "$work/two.json" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(grep -c ' end ' "$work/out")" -ge 1 ] && grep -q ':4: "\["frame"\]" is not a JSON object' "$work/err"

@@ -20,8 +20,7 @@ constexpr uint64_t OldUs = 100000;
 constexpr uint64_t AheadUs = 10000;  // no clock of this PC is further ahead
 constexpr microseconds Gap(2000);
 constexpr milliseconds Patience(100);  // what a port has held for so long is discarded
-constexpr milliseconds AskAfter(1);
-constexpr milliseconds AskAfterMost(1600);
+constexpr microseconds AskAfter(1000);
 constexpr microseconds AskEvery(300);
 constexpr size_t FlagsAndEnd = 2;  // the last bytes of a frame
 
@@ -29,8 +28,7 @@ constexpr size_t FlagsAndEnd = 2;  // the last bytes of a frame
 
 FrameOutput::FrameOutput(const std::string &to, const line::LineSettings &settings)
     : _destination(to == "-" ? nullptr : std::make_unique<Destination>(to, settings)),
-      _characterUs(settings.characterUs()),
-      _askAfter(AskAfter) {
+      _characterUs(settings.characterUs()) {
 }
 
 bool FrameOutput::mayLeave(uint64_t sinceUs) {
@@ -57,7 +55,7 @@ void FrameOutput::put(const BridgedFrame &frame) {
     }
     return;
   }
-  const auto same = std::find_if(_waiting.begin(), _waiting.end(),
+  const auto same = std::find_if(_waiting.begin() + (_begun > 0 ? 1 : 0), _waiting.end(),
                                  [&frame](const BridgedFrame &other) { return other.kind == frame.kind; });
   if (same != _waiting.end()) {
     *same = frame;
@@ -69,68 +67,48 @@ void FrameOutput::put(const BridgedFrame &frame) {
 }
 
 bool FrameOutput::tick() {
-  if (_waiting.empty() && _begun == 0) {
+  if (_waiting.empty()) {
     return false;
   }
   const auto silence = Clock::now() - _writtenAt;
-  if (!_destination->holdsBytes(nowUs())) {
-    _askAfter = AskAfter;
-  } else if (!_destination->mayMissReads(nowUs())) {
-    if (silence < Patience) {
+  if (_destination->holdsBytes(nowUs())) {
+    if (_destination->mayMissReads(nowUs()) ? !ask(silence) : silence < Patience) {
       return true;
     }
     _destination->discard(nowUs());
-  } else if (!isOver()) {
-    ask(silence);
-    return true;
-  } else {
-    _askAfter = std::min<Clock::duration>(2 * std::max<Clock::duration>(_askAfter, Patience), AskAfterMost);
   }
-  if (Clock::now() >= _freeFrom && choose() && (_begun > 1 || !isOld(_current))) {
+  if (Clock::now() >= _freeFrom) {
     send();
   }
   return !_waiting.empty();
 }
 
-// Returns true if a frame that has begun can no longer leave without the failsafe flag.
-bool FrameOutput::isOver() const {
-  return _begun > 1 && !mayLeave(_current.sinceUs);
-}
-
-// Chooses the frame to send: the one of which two bytes have left, or the oldest pending frame; after one byte, the
-// oldest that begins with this byte. Returns false without a frame.
-bool FrameOutput::choose() {
-  const auto frame = std::find_if(_waiting.begin(), _waiting.end(), [this](const BridgedFrame &each) {
-    return _begun == 0 || each.bytes().front() == _current.bytes().front();
-  });
-  if (_begun < 2 && frame != _waiting.end()) {
-    _current = *frame;
-    _waiting.erase(frame);
-    return true;
-  }
-  return _begun > 1;
-}
-
 // Whether the reader of a pseudo-terminal has read the last bytes may be unknown. Then the next frame begins, byte by
-// byte: one of them will be noticed. Its flags come last: by then it is fresh, or gets the failsafe flag.
-void FrameOutput::ask(Clock::duration silence) {
-  if (silence < (_begun == 0 ? _askAfter : AskEvery) || (_begun < 2 && !choose())) {
-    return;
+// byte: one of them will be noticed. Its flags come last: by then it is fresh, or gets the failsafe flag. Returns true if
+// no byte was noticed, and only the flags are left.
+bool FrameOutput::ask(Clock::duration silence) {
+  const BridgedFrame &frame = _waiting.front();
+  const std::vector<uint8_t> bytes = frame.bytes();
+  if (_begun == bytes.size() - FlagsAndEnd) {
+    return !mayLeave(frame.sinceUs);
   }
-  const std::vector<uint8_t> bytes = _current.bytes();
-  if (_begun < bytes.size() - FlagsAndEnd && write({bytes[_begun]})) {
+  if (silence >= (_begun == 0 ? AskAfter : AskEvery) && write({bytes[_begun]})) {
     _begun++;
   }
-  if (_begun == 1) {
-    _waiting.push_front(_current);  // a newer one may still replace it
-  }
+  return false;
 }
 
+// Sends the first of the waiting frames, or what is left of it.
 void FrameOutput::send() {
-  if (!mayLeave(_current.sinceUs)) {
-    _current.values.failsafe = _current.values.lostFrame = true;
+  BridgedFrame frame = _waiting.front();
+  _waiting.pop_front();
+  if (_begun == 0 && isOld(frame)) {
+    return;
   }
-  const std::vector<uint8_t> bytes = _current.bytes();
+  if (!mayLeave(frame.sinceUs)) {
+    frame.values.failsafe = frame.values.lostFrame = true;
+  }
+  const std::vector<uint8_t> bytes = frame.bytes();
   const auto rest = bytes.begin() + static_cast<std::ptrdiff_t>(std::exchange(_begun, 0));
   (write({rest, bytes.end()}) ? _sent : _lost)++;
   _freeFrom = _writtenAt + microseconds(bytes.size() * _characterUs) + Gap;

@@ -62,9 +62,7 @@ class FrameOutput {
 
   bool isOld(const BridgedFrame &frame);
   uint64_t nowUs() const;
-  bool isOver() const;
-  bool choose();
-  void ask(Clock::duration silence);
+  bool ask(Clock::duration silence);
   void send();
   bool write(const std::vector<uint8_t> &bytes);
   void print(const BridgedFrame &frame);
@@ -74,10 +72,8 @@ class FrameOutput {
   const Clock::time_point _start = Clock::now();
   Clock::time_point _writtenAt{};
   Clock::time_point _freeFrom{};  // the next frame may begin now
-  Clock::duration _askAfter;
-  BridgedFrame _current{};
-  size_t _begun = 0;  // bytes of _current that have been sent
   std::deque<BridgedFrame> _waiting;
+  size_t _begun = 0;  // bytes of the first of them that have been sent
   uint64_t _printedUs = 0;  // the time of the last line
   unsigned long _sent = 0;
   unsigned long _replaced = 0;

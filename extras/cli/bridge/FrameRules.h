@@ -1,7 +1,6 @@
-// The options of `sbus bridge` that change a frame: --trainer, --map, --mix, --limit, and --failsafe without a link.
+// The options of `sbus bridge` that change a frame: --trainer, and --failsafe without a link.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -31,47 +30,21 @@ class FrameRules {
   // Copies the pupil's channels into the teacher's frame while the teacher's switch is on.
   void train(line::Values &teacher, const line::Values &pupil) const;
 
-  // Changes the raw values by --map, then --mix, then --limit; the first is CH1.
-  void apply(uint16_t *raw) const;
-
   // Changes a frame that is sent in this state of the link; `isExtra`: one with header 2F. Returns false if nothing is
   // to be sent.
   bool applyFailsafe(sbus::LinkState state, bool isExtra, line::Values &values);
 
  private:
-  static constexpr unsigned Count = sbus::ProportionalCount;
-
-  struct Mix {
-    size_t channel;
-    std::array<double, Count> parts{};  // factor of each channel
-    double added = 0;                   // percent
-  };
-  struct Limit {
-    size_t channel;
-    uint16_t low;
-    uint16_t high;
-  };
-
   void readTrainer();
-  void readMap();
   void readFailsafe();
-  Mix mixOf(const std::string &text) const;
-  Limit limitOf(const std::string &text) const;
-  void reverse(uint16_t &raw) const;
 
   std::string _trainer;
   Option _trainerOption;
-  std::string _map;
-  std::vector<std::string> _mixTexts;
-  std::vector<std::string> _limitTexts;
   std::string _failsafe;
   Option _failsafeOption;
   sbus::Range _range = sbus::FrSky;
-  std::vector<int> _sources;  // for CH1, CH2 ...: a channel, counted from 1; negative: reversed
-  std::vector<Mix> _mixes;
-  std::vector<Limit> _limits;
   size_t _switch = 0;  // the teacher's, counted from 0, and the channels that it hands over
-  std::vector<size_t> _handedOver;
+  std::vector<size_t> _handedOver = {0, 1, 2, 3};
   std::vector<std::pair<size_t, uint16_t>> _failsafeValues;  // raw values of channels, counted from 0
   line::Values _held[2];  // of the newest frame with a link, and of that with header 2F; count 0: no such frame yet
 };

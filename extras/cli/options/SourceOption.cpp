@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <deque>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "cli/LoopedLine.h"
-#include "cli/RepeatedFrames.h"
+#include "cli/TextLine.h"
+#include "line/FrameBytes.h"
 #include "line/ports/ByteStream.h"
 #include "line/ports/Reopened.h"
 #include "line/recording/CsvRows.h"
@@ -46,6 +47,35 @@ void cut(const std::string &name, FileSource &file, const PartOption &part) {
   }
 }
 
+// Sends the same values as a frame every period, like a receiver.
+class RepeatedFrames : public line::Line {
+ public:
+  RepeatedFrames(const line::Values &values, uint64_t periodUs, uint32_t characterUs)
+      : _frame(line::charactersOf(line::frameBytes(line::Stretch::Kind::Frame, values))),
+        _periodUs(periodUs),
+        _characterUs(characterUs) {}
+
+  bool next(uint64_t nowUs, line::Character &character) override {
+    if (_waiting.empty() && _frameUs <= nowUs) {
+      line::appendBackToBack(_frame, _frameUs + _frame.size() * _characterUs, 0, _characterUs, _waiting);
+      _frameUs += _periodUs;
+    }
+    if (_waiting.empty() || _waiting.front().endUs > nowUs) {
+      return false;
+    }
+    character = _waiting.front();
+    _waiting.pop_front();
+    return true;
+  }
+
+ private:
+  const std::vector<line::Character> _frame;
+  const uint64_t _periodUs;
+  const uint32_t _characterUs;
+  uint64_t _frameUs = 0;  // when the next frame begins
+  std::deque<line::Character> _waiting;
+};
+
 // Returns true for ch3=172, but not for sim:noise=30 or a file name with an =.
 bool isValue(const std::string &word) {
   struct stat status;
@@ -71,9 +101,6 @@ SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows,
           .notEmpty()
           .type("NAME");
   _given.part.addTo(subcommand);
-  if (playback == Playback::RealTime) {
-    _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
-  }
   _given.simulatedTime =
       subcommand.flag("--simulated-time", "play sim and - as fast as possible, with the same output each time");
 }
@@ -175,9 +202,6 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
       rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
     }
     _given.part.reject("is for a file; leave it out for " + parsed.name);
-    if (_given.playback == Playback::RealTime && _given.loop.given()) {
-      rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
-    }
   }
 }
 
@@ -191,7 +215,7 @@ line::LineSettings SourceOption::settings() const {
   if (_given.asRows.given()) {
     return line::csvSettings();
   }
-  if (isFile() && !(_given.rows == Rows::Sent && file().isRows())) {
+  if (isFile()) {
     return file().settings;
   }
   line::LineSettings settings;
@@ -223,7 +247,8 @@ void SourceOption::rejectEmpty() const {
 }
 
 void SourceOption::rejectRows() const {
-  if (_given.rows == Rows::Rejected && (isFile() ? file().isRows() : isStream() && _pipe->hasRows())) {
+  const bool areShown = _given.rows == Rows::Shown || _given.asRows.given();
+  if (!areShown && (isFile() ? file().isRows() : isStream() && _pipe->hasRows())) {
     throw std::runtime_error(name() +
                              ": these are rows of CSV, but no frames: a time, all of CH1 to CH16, CH24 or CH32 as raw "
                              "values from 0 to 2047, and rows at most 50 ms apart are expected; sbus monitor shows "
@@ -299,18 +324,6 @@ double SourceOption::leftSeconds() const {
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  if (_given.playback == Playback::RealTime && _given.loop.given()) {
-    if (_isLiveText) {
-      rejectCommandLine("--loop: is for a file; leave it out for " + name());
-    }
-    const bool isSent = _given.rows == Rows::Sent && !_given.asRows.given();  // as frames
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs(zeroUs()),
-                                        port.characterUs(), isSent || !file().isRows());
-  }
-  return openOnce(port);
-}
-
-std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &port) const {
   const Parsed &parsed = this->parsed();
   switch (parsed.kind) {
     case Kind::Port: {
@@ -358,10 +371,6 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
   std::unique_ptr<line::Line> line;
-  if (read.isRows() && _given.rows == Rows::Sent && !_given.asRows.given()) {
-    return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _given.periodUs,
-                                            settings().characterUs(), _given.part.fromUs(0), _given.part.toUs(0));
-  }
   if (read.isCapture()) {
     line = std::make_unique<line::RecordedLine>(std::shared_ptr<const line::Recording>(_file, &read.recording));
   } else {

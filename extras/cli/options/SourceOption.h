@@ -20,8 +20,8 @@ namespace tool {
 // How a file is read: in real time; as fast as possible; or as fast as possible, and several times.
 enum class Playback { RealTime, AtOnce, Repeatable };
 
-// What a subcommand does with rows of CSV that are no frames. Sent: as values, which may also be several words such as
-// ch3=172 ch5=on.
+// What a subcommand does with rows of CSV that are no frames. Sent: with --rows, as they are; SOURCE may be several words
+// such as ch3=172 ch5=on.
 enum class Rows { Shown, Sent, Rejected };
 
 class SourceOption {
@@ -78,7 +78,7 @@ class SourceOption {
   Json json() const;
   const FileSource &file() const;
 
-  // Both are for a subcommand that sends: values, and slow rows of a table, are sent as a frame every `periodUs`.
+  // Both are for a subcommand that sends: values are sent as a frame every `periodUs`.
   void setPeriod(uint64_t periodUs) { _given.periodUs = periodUs; }
   void setRange(const sbus::Range &range) { _given.range = range; }
 
@@ -93,7 +93,6 @@ class SourceOption {
     double seconds = 0;
     Option asRows;
     PartOption part;
-    Option loop;
     Option simulatedTime;
     Option signal;
     line::Overrides overrides;
@@ -116,7 +115,6 @@ class SourceOption {
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openText() const;
-  std::unique_ptr<line::Line> openOnce(const line::LineSettings &port) const;
   void rejectOptions(const Parsed &parsed) const;
   void rejectRows() const;
   static void rejectDisturbing(const Parsed &parsed, const char *what);

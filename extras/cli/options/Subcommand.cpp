@@ -50,11 +50,6 @@ Option &Option::seconds() {
   return between(0.001, 366.0 * 24 * 60 * 60);
 }
 
-Option &Option::once() {
-  _option->allow_extra_args(false);
-  return *this;
-}
-
 Option &Option::notEmpty() {
   _option->check(CLI::Validator(checkName, ""));
   return *this;

@@ -23,7 +23,6 @@ class Option {
   Option &excludes(const Option &other);
   Option &between(double low, double high);
   Option &seconds();            // up to a year
-  Option &once();               // several values: repeat the option's name before each
   Option &notEmpty();           // a name; it is empty if a script forgot to set a variable
   Option &notStandardOutput();  // a file name; standard output is already in use
   Option &oneOf(std::initializer_list<int> values);

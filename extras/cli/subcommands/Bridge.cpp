@@ -1,4 +1,4 @@
-// sbus bridge: changes each accepted frame and forwards it: trainer, two receivers, hardware-in-the-loop tests.
+// sbus bridge: forwards each accepted frame: trainer, two receivers, hardware-in-the-loop tests.
 
 #include <cstdio>
 #include <memory>
@@ -48,7 +48,7 @@ void run(Options &options) {
 }  // namespace
 
 void addBridge(CLI::App &app) {
-  Subcommand subcommand(app, "bridge", "changes each frame and forwards it: trainer, two receivers, tests in the loop");
+  Subcommand subcommand(app, "bridge", "forwards each frame: trainer, two receivers, tests in the loop");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand
       .option("DEVICE", options->to, "a serial port; - for JSON lines; without it, a pseudo-terminal (prints its name)")

@@ -5,8 +5,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
-#include <sstream>
-#include <vector>
+#include <string>
 
 #include "cli/Json.h"
 #include "cli/Output.h"
@@ -16,7 +15,6 @@
 #include "cli/subcommands/Subcommands.h"
 #include "line/Format.h"
 #include "line/Observer.h"
-#include "line/system/System.h"
 
 namespace tool {
 
@@ -48,24 +46,11 @@ const char *kindText(line::Stretch::Kind kind) {
 }
 
 constexpr size_t Row = sbus::FrameSize;  // bytes
-constexpr size_t LeastWidth = 60;  // columns; a narrower terminal wraps the lines itself
 
 struct HexOptions {
   bool values = false;
   bool json = false;
 };
-
-// Appends `text` to `rows`, wrapped at blanks to `width` columns.
-void fold(const std::string &text, size_t width, std::vector<std::string> &rows) {
-  std::istringstream words(text);
-  rows.emplace_back();
-  for (std::string word; words >> word;) {
-    if (!rows.back().empty() && rows.back().size() + 1 + word.size() > width) {
-      rows.emplace_back();
-    }
-    rows.back() += (rows.back().empty() ? "" : " ") + word;
-  }
-}
 
 class HexView {
  public:
@@ -80,56 +65,20 @@ class HexView {
     const int64_t us = static_cast<int64_t>(stretch.endUs()) + _zeroUs;
     const std::string time = _hasTimes ? line::format("%12.6f  ", static_cast<double>(us) / 1e6)
                                        : line::format("%12s  ", "-");
-    const size_t width = line::terminalColumns();
-    showRows(stretch, time, width == 0 ? Endless : std::max(width, LeastWidth));
+    const size_t count = stretch.characters.size();
+    const std::string colour = flags(stretch).empty() ? colourOf(stretch) : _colours.flags;
+    write(_colours.time + time + _colours.off + bytes(stretch) +
+          std::string((Row - std::min(count, Row)) * ByteWidth + 1, ' ') + colour + verdict(stretch) + flags(stretch) +
+          (colour.empty() ? "" : _colours.off) + values(stretch) + '\n');
   }
 
  private:
-  static constexpr size_t Endless = 1000000;  // columns, like the next ones
-  static constexpr size_t ByteWidth = 3;
-  static constexpr size_t LeastText = 15;
-  static constexpr size_t LeastValues = 4;
-  static constexpr size_t ValueWidth = 5;
+  static constexpr size_t ByteWidth = 3;  // columns
 
-  // Writes the bytes on the left and their meaning on the right, in as many rows as needed.
-  void showRows(const line::Stretch &stretch, const std::string &time, size_t width) const {
-    const size_t count = stretch.characters.size();
-    const size_t least = _options.values ? LeastValues * ValueWidth : LeastText;
-    const size_t room = width - time.size() - 1;
-    const size_t most = std::min((room - least) / ByteWidth, width == Endless ? std::max(count, Row) : Row);
-    const size_t frameRows = (Row + most - 1) / most;
-    const size_t perRow = most > Row ? most : (Row + frameRows - 1) / frameRows;
-    const size_t textWidth = room - perRow * ByteWidth;
-    std::vector<std::string> texts;
-    fold(verdict(stretch) + flags(stretch), textWidth, texts);
-    const std::string colour = flags(stretch).empty() ? colourOf(stretch) : _colours.flags;
-    for (std::string &text : texts) {
-      text = colour + text + (colour.empty() ? "" : _colours.off);
-    }
-    const std::vector<std::string> all = values(stretch);
-    for (size_t i = 0; i < all.size(); i++) {
-      if (width != Endless && i % (textWidth / ValueWidth) == 0) {
-        texts.emplace_back();
-      }
-      texts.back() += (width == Endless && i == 0 ? " " : "") + all[i];
-    }
-    for (size_t row = 0; row * perRow < count || row < texts.size(); row++) {
-      const size_t from = std::min(row * perRow, count);
-      const size_t to = std::min(from + perRow, count);
-      std::string text = row == 0 ? _colours.time + time + _colours.off : std::string(time.size(), ' ');
-      text += bytes(stretch, from, to);
-      if (row < texts.size()) {
-        text += std::string((perRow - (to - from)) * ByteWidth + 1, ' ') + texts[row];
-      }
-      write(text + '\n');
-    }
-  }
-
-  std::string bytes(const line::Stretch &stretch, size_t from, size_t to) const {
+  std::string bytes(const line::Stretch &stretch) const {
     const std::string colour = colourOf(stretch);
     std::string text = colour;
-    for (size_t i = from; i < to; i++) {
-      const line::Character &character = stretch.characters[i];
+    for (const line::Character &character : stretch.characters) {
       const std::string byte = line::format("%02X", static_cast<unsigned>(character.value));
       text += character.bad ? _colours.bad + byte + "!" + _colours.off + colour : byte + " ";
     }
@@ -160,17 +109,17 @@ class HexView {
   }
 
   // Returns the frame's raw values, with --values.
-  std::vector<std::string> values(const line::Stretch &stretch) const {
-    std::vector<std::string> texts;
+  std::string values(const line::Stretch &stretch) const {
     if (!stretch.isFrame() || !_options.values) {
-      return texts;
+      return {};
     }
+    std::string text = " ";
     const size_t first = stretch.kind == line::Stretch::Kind::Extra ? sbus::ProportionalCount : 0;
     const size_t count = stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
     for (size_t channel = first; channel < first + count; channel++) {
-      texts.push_back(line::format(" %4u", static_cast<unsigned>(_observer.newest().raw[channel])));
+      text += line::format(" %4u", static_cast<unsigned>(_observer.newest().raw[channel]));
     }
-    return texts;
+    return text;
   }
 
   const line::Observer &_observer;

@@ -131,7 +131,7 @@ void addSend(CLI::App &app) {
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("--port", options->to, "a serial port; without it, a pseudo-terminal (prints its name)")
       .type("DEVICE");
-  subcommand.option("--period", options->periodMs, "the frame period of values and slow rows, in ms (9)")
+  subcommand.option("--period", options->periodMs, "the frame period of values, in ms (9)")
       .between(1, 1000)
       .type("MS");
   subcommand.footer(

@@ -22,14 +22,11 @@ void addRecord(CLI::App &app);
 void addWatch(CLI::App &app);
 void addSend(CLI::App &app);
 void addBridge(CLI::App &app);
-void addCalibrate(CLI::App &app);
-void addJoystick(CLI::App &app);
 void addDecode(CLI::App &app);
 void addWave(CLI::App &app);
 void addDoctor(CLI::App &app);
 void addSummary(CLI::App &app);
 void addCompare(CLI::App &app);
 void addTelemetry(CLI::App &app);
-void addExplain(CLI::App &app);
 
 }  // namespace tool

@@ -106,8 +106,6 @@ int copyToTemporary(std::string_view begin, int file, bool (*isOver)()) {
   return copy;
 }
 
-void (*PackedFile::onRead)(const std::string &name, int64_t at, int64_t size) = nullptr;
-
 PackedFile::PackedFile(const std::string &path, std::string name)
     : _name(std::move(name)),
       _file(path == "-" ? STDIN_FILENO : openToRead(path)),
@@ -118,7 +116,6 @@ PackedFile::PackedFile(const std::string &path, std::string name)
   }
   struct stat status;
   _isPipe = fstat(_file, &status) != 0 || !S_ISREG(status.st_mode);
-  _size = _isPipe ? 0 : static_cast<int64_t>(status.st_size);
   if (_isPipe) {
     _begin = readSome(_file, Zip.size());
     if (begins(_begin, Zip)) {  // its entries can be read in any order
@@ -262,9 +259,6 @@ std::string_view PackedFile::read() {
   int status = _atEnd ? ARCHIVE_EOF : ARCHIVE_OK;
   while (status >= ARCHIVE_WARN && status != ARCHIVE_EOF && count == 0) {
     status = archive_read_data_block(_archive.get(), &bytes, &count, &at);
-  }
-  if (onRead != nullptr && _size > 0) {
-    onRead(_name, status == ARCHIVE_EOF ? _size : static_cast<int64_t>(lseek(_file, 0, SEEK_CUR)), _size);
   }
   return works(status) ? std::string_view(static_cast<const char *>(bytes), count) : std::string_view();
 }

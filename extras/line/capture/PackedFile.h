@@ -26,9 +26,6 @@ int copyToTemporary(std::string_view begin, int file, bool (*isOver)());
 
 class PackedFile {
  public:
-  // Called with how many bytes of a file are read, packed as they are; null: not called.
-  static void (*onRead)(const std::string &name, int64_t at, int64_t size);
-
   // `path` is a file, or "-" for standard input; messages call it `name`. Throws std::runtime_error if it cannot be
   // opened.
   PackedFile(const std::string &path, std::string name);
@@ -71,7 +68,6 @@ class PackedFile {
   int _file;
   std::string _begin;  // a pipe's first bytes
   std::string _block;
-  int64_t _size = 0;  // of the file; 0: a pipe
   bool _isPipe = false;
   bool _isZip = false;
   std::unique_ptr<archive, int (*)(archive *)> _archive;

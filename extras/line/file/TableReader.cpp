@@ -15,22 +15,6 @@ namespace {
 constexpr uint64_t FrameUsMost = 50000;
 constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18, in a table that ends there
 
-std::string nameOf(CsvKind kind, size_t column) {
-  switch (kind) {
-    case CsvKind::Failsafe:
-      return "failsafe";
-    case CsvKind::LostFrame:
-      return "lostFrame";
-    case CsvKind::Switch17:
-      return "CH17";
-    case CsvKind::Switch18:
-      return "CH18";
-    case CsvKind::Channel:
-      break;
-  }
-  return "CH" + std::to_string(column + 1);
-}
-
 // Returns true for an empty line or a comment.
 bool isNothing(std::string_view text) {
   return withoutBlanks(text).empty() || text.front() == '#';
@@ -60,14 +44,6 @@ bool TableRows::parseName(const std::string &text, Column &column) {
   return column.kind != Kind::Ignored || word == "state" || word == "age" || word == "quality";
 }
 
-std::vector<std::string> TableRows::defaultNames() const {
-  std::vector<std::string> names;
-  for (size_t i = 0; i < _parser.row().size(); i++) {
-    names.push_back(nameOf(_parser.kind(i), i));
-  }
-  return names;
-}
-
 std::string TableRows::line(std::string_view text) {
   _isRow = false;
   if (isNothing(text)) {
@@ -80,13 +56,7 @@ std::string TableRows::line(std::string_view text) {
   if (!_columns.empty()) {
     return takeRow(_parser.row());
   }
-  std::vector<std::string> names;
-  const bool isHeader = !_parser.row().front().isNumber;
-  for (const CsvField &field : _parser.row()) {
-    names.push_back(field.text);
-  }
-  const std::string wrong = takeNames(isHeader ? names : defaultNames());
-  return wrong.empty() && !isHeader ? takeRow(_parser.row()) : wrong;
+  return takeNames() ? "" : "a line of names as sbus csv prints it is expected";
 }
 
 std::string TableRows::cutLine(std::string_view text) {
@@ -94,25 +64,22 @@ std::string TableRows::cutLine(std::string_view text) {
   return isNothing(text) ? "" : "the file may be cut within this row: a line end is expected after it";
 }
 
-std::string TableRows::takeNames(const std::vector<std::string> &names) {
-  for (const std::string &each : names) {
+bool TableRows::takeNames() {
+  for (const CsvField &field : _parser.row()) {
     Column column;
-    if (!parseName(each, column)) {
-      return quoted(each) +
-             " is not a column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
-    }
+    const bool isKnown = parseName(field.text, column);
     const bool isAgain =
         column.kind != Kind::Ignored && std::any_of(_columns.begin(), _columns.end(), [&column](const Column &other) {
           return other.kind == column.kind && other.index == column.index;
         });
-    if (isAgain) {
-      return quoted(each) + " is the name of two columns; leave one of them out";
+    if (!isKnown || isAgain) {
+      return false;
     }
     _channels = column.kind == Kind::Channel ? std::max(_channels, column.index + 1) : _channels;
     _columns.push_back(column);
   }
   if (_channels > sbus::ChannelCount && _channels != sbus::ChannelCount24 && _channels != TableChannelMax) {
-    return "CH" + std::to_string(_channels) + ": a line ends at CH18, CH24 or CH32";
+    return false;
   }
   if (_channels <= sbus::ChannelCount) {
     for (Column &column : _columns) {
@@ -122,7 +89,7 @@ std::string TableRows::takeNames(const std::vector<std::string> &names) {
       }
     }
   }
-  return {};
+  return true;
 }
 
 bool TableRows::isWhole() const {

@@ -37,7 +37,7 @@ struct TableRow {
   bool hasRest = false;   // one of CH17 and above, if these are channels
 };
 
-// Takes the lines of a table. Without a line of names it has a sketch's columns.
+// Takes the lines of a table, the first of which has the names of its columns.
 class TableRows {
  public:
   // Takes the next line. Returns what is wrong with it, or nothing. Afterwards isRow() tells whether it was a row.
@@ -63,11 +63,10 @@ class TableRows {
   };
 
   static bool parseName(const std::string &text, Column &column);
-  std::string takeNames(const std::vector<std::string> &names);
+  bool takeNames();
   std::string takeRow(const CsvRow &fields);
   std::string takeField(const Column &column, const CsvField &field);
   std::string takeTime(const CsvField &field);
-  std::vector<std::string> defaultNames() const;
 
   CsvRows _parser;
   std::vector<Column> _columns;
