@@ -63,15 +63,3 @@ export function download(name: string, parts: BlobPart[], type: string): void {
   make('a', { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
-
-// Calls `take` with each file that the user chooses.
-export function onFile(id: string, take: (file: File) => Promise<void>): void {
-  const input = byId<HTMLInputElement>(id);
-  input.addEventListener('change', () => {
-    const [file] = input.files ?? [];
-    if (file) {
-      void take(file);
-    }
-    input.value = '';
-  });
-}

@@ -2,7 +2,6 @@
 
 import { setZero } from './clock';
 import type { Core } from './core';
-import { compareRoom } from './rooms/compare';
 import { keepRoom } from './rooms/keep';
 import { lineRoom } from './rooms/line';
 import { liveRoom } from './rooms/live';
@@ -28,7 +27,7 @@ export function scopeOf(core: Core, notice: NoticeView, failed: (view: string, e
   const keep = keepRoom(choice, line, visit, notice);
   const recording = recordingRoom(core, choice, line, keep, notice);
   const live = liveRoom(core, choice, notice);
-  const rooms: Room[] = [sourceRoom(choice), line, keep, compareRoom(core, choice, line, visit, notice), recording, live]; // B follows A
+  const rooms: Room[] = [sourceRoom(choice), line, keep, recording, live];
   const broken = new Set<string>(); // views
 
   function draw(): void {

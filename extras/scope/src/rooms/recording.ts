@@ -1,7 +1,7 @@
 // A file that is played: chosen, dropped, or another signal of the same capture; its time line and its wire.
 
 import type { Core } from '../core';
-import { byId, onFile } from '../dom';
+import { byId } from '../dom';
 import type { Problem } from '../messages';
 import type { Choice } from '../source/choice';
 import { RecordingSource } from '../source/recording';
@@ -32,8 +32,15 @@ export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: Li
     }
   }
 
-  byId('source-recording').addEventListener('click', () => byId('file').click());
-  onFile('file', play);
+  const input = byId<HTMLInputElement>('file');
+  byId('source-recording').addEventListener('click', () => input.click());
+  input.addEventListener('change', () => {
+    const [file] = input.files ?? [];
+    if (file) {
+      void play(file);
+    }
+    input.value = '';
+  });
   onDrop(play, notice);
   signal.addEventListener('change', () => {
     const source = playing();
@@ -76,14 +83,14 @@ function onDrop(take: (file: File) => Promise<void>, notice: NoticeView): void {
     } else if (file) {
       void take(file);
       if (other) {
-        notice.show({ text: `Only ${file.name} is played.`, remedy: 'Drop one file at a time. Compare… shows a second recording beside the first.' });
+        notice.show({ text: `Only ${file.name} is played.`, remedy: 'Drop one file at a time.' });
       }
     }
   });
 }
 
 // Returns what is wrong with a file, from what its reader throws.
-export const unreadable = (error: unknown): Problem =>
+const unreadable = (error: unknown): Problem =>
   !(error instanceof Error) ? (error as Problem) : {
     text: `This cannot be played: ${error.message}.`,
     remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',

@@ -35,7 +35,6 @@ export function sourceRoom(choice: Choice<Source>): Room {
     }
     byId('simulation').hidden = name !== 'simulated';
     byId('board').hidden = name !== 'board';
-    byId('compare').hidden = name !== 'adapter' && name !== 'recording';
     guide.querySelectorAll<HTMLElement>('[data-for]').forEach((each) => (each.hidden = each.dataset.for !== name));
   }
 

@@ -25,20 +25,6 @@ const restMs = 500; // at most, until a movement by less than a pixel is drawn
 const nameRows = 4; // of bookmarks
 const awayMs = 300; // at rest, where no samples are kept, until the recording goes there
 
-export interface Lane {
-  curves: Curve[];
-  unit: Unit;
-  palette: Palette;
-  longest: number; // s without a frame: the curve breaks
-  thickness: number;
-  edge: number; // s
-  seconds: number;
-  isWhole: boolean; // by its envelope
-}
-
-// The pointer on the curves of one line is on those of the other as well.
-export const together: uPlot.Cursor.Sync = { key: 'lines', filters: { pub: (type) => type === 'mousemove' || type === 'mouseleave' } };
-
 // Returns the width of an axis with these texts, in pixels.
 const widthOf = (_: uPlot, texts: string[] | null): number => 14 + 7 * Math.max(...(texts ?? ['']).map(({ length }) => length));
 
@@ -97,13 +83,6 @@ export class Curves {
   // The begin and end of what they show, in us.
   get shownUs(): [number, number] {
     return [1e6 * this.view.begin, 1e6 * this.view.edge];
-  }
-
-  // What a second line is shown with: the channels' curves, and how.
-  get shownAs(): Lane | undefined {
-    const { curves, unit, palette, longest, thickness } = this;
-    const channels = curves.filter((curve) => curve.unit.axis === undefined);
-    return unit && palette && { curves: channels, unit, palette, longest, thickness, edge: this.view.edge, seconds: this.view.seconds, isWhole: this.strokes !== this.samples };
   }
 
   pause(on: boolean): void {
@@ -296,7 +275,6 @@ export class Curves {
       series: seriesOf(curves, palette, this.thickness, (plot, curve, pen) => this.strokes.trace(curve, this.area(plot), this.longest, pen)),
       cursor: {
         drag: { x: true, y: false, setScale: false },
-        sync: together,
         bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
       },
       hooks: {

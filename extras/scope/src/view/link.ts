@@ -12,7 +12,6 @@ const states: Record<LinkState, [string, string]> = {
   [LinkState.Failsafe]: ['Failsafe', 'alarm'],
   [LinkState.Stale]: ['Stale', 'alarm'],
 };
-export const stateName = (state: LinkState): string => states[state][0];
 
 // Of frames, of rows.
 const labels = [['Newest frame', 'Rate', 'Frame interval'], ['Newest row', 'Rate', 'Row interval']];
@@ -83,7 +82,7 @@ export class LinkView {
   // `isPreview`: see Picture.
   draw(status: Status, newest: Stretch | undefined, isPreview = false): void {
     const state = status.state as LinkState;
-    setText(this.state, stateName(state));
+    setText(this.state, states[state][0]);
     setAttribute(this.stateTile, 'data-severity', states[state][1]);
     this.indicators.forEach((indicator, flag) => {
       const flags = newest?.flags ?? 0;

@@ -74,7 +74,7 @@ export class ReportView {
 }
 
 // Each row: the time that is shown, the time that is visited, in us, and a text. `visit`: goes there.
-export function listOf(title: string, rows: [number, number, string][], visit: (us: number) => void): HTMLElement {
+function listOf(title: string, rows: [number, number, string][], visit: (us: number) => void): HTMLElement {
   const items = rows.map(([fromUs, toUs, text]) => {
     const button = make('button', {}, clock(fromUs));
     button.addEventListener('click', () => visit(toUs));

@@ -5,7 +5,6 @@ import type { Status } from '../line';
 import type { Bookmark, Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { firstFrom } from '../numbers';
-import { Comparing } from './comparing';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -163,11 +162,6 @@ export class Tape {
 
   get startUs(): number | undefined {
     return this.native.calls.recordingStartUs() || undefined;
-  }
-
-  // Begins a comparison of another recording, A, with this one.
-  comparing({ startUs }: Tape): Comparing {
-    return new Comparing(this.native, startUs !== undefined && this.startUs !== undefined ? this.startUs - startUs : 0);
   }
 
   private handed(size: number): Uint8Array {

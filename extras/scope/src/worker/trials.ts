@@ -36,10 +36,6 @@ export class Trials {
     private readonly source: Tried,
   ) {}
 
-  get isTrying(): boolean {
-    return this.trying !== undefined;
-  }
-
   // The setting that is being tried, or what the trials found.
   get note(): string {
     return this.trying ? `Trying ${words(this.trying)}.` : this.found;

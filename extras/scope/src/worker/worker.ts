@@ -5,7 +5,6 @@ import { History } from '../history';
 import { Flag, Kind, LinkState, type Status } from '../line';
 import { type Answer, Fault, type Found, type Live, type Open, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
-import { Beside } from './beside';
 import { Decoder } from './decoder';
 import { type Out, serve } from './live';
 import { Past } from './past';
@@ -30,7 +29,6 @@ class Playing {
   private index: TapeIndex;
   private past?: Past;
   private search?: Search;
-  private beside?: Beside; // until the comparison is done
   private previewed = 0; // the newest seek whose place was shown before it was decoded
   private soughtUs?: number; // the place of a seek that is not done yet
   private readonly waiting: Request[] = []; // until the place that is looked for is reached
@@ -39,17 +37,15 @@ class Playing {
   private isClosed = false;
   private readonly endUs: number;
 
-  // `progress`: tells how much is done, 0..1. `first`: the recording with which it is compared.
+  // `progress`: tells how much is done, 0..1.
   constructor(
     private readonly module: WebAssembly.Module,
     private readonly tape: Tape,
     private readonly out: Out,
     private readonly progress: (part: number) => void,
-    first?: Playing,
   ) {
     this.endUs = tape.lengthUs + 1000;
     this.player = new Decoder(module, tape);
-    this.beside = first && new Beside(tape.comparing(first.tape), new Decoder(module, first.tape), first.endUs);
     this.index = this.newIndex();
   }
 
@@ -132,8 +128,6 @@ class Playing {
         this.workAtPast(this.past);
       } else if (!this.index.isComplete) {
         this.index.work(sliceEnd());
-      } else if (this.beside) {
-        this.endComparison(this.beside);
       } else {
         await new Promise<void>((resolve) => (this.waking = resolve));
       }
@@ -142,8 +136,8 @@ class Playing {
   }
 
   private newIndex(): TapeIndex {
-    const { module, tape, endUs, beside } = this;
-    return new TapeIndex(new Decoder(module, tape), tape, endUs, (message) => this.answer(message), beside);
+    const { module, tape, endUs } = this;
+    return new TapeIndex(new Decoder(module, tape), tape, endUs, (message) => this.answer(message));
   }
 
   // Returns a decoder that is at that time, or a little before it.
@@ -158,14 +152,6 @@ class Playing {
     if (samples) {
       this.past = undefined;
       this.answer({ kind: 'past', id: past.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
-    }
-  }
-
-  private endComparison(beside: Beside): void {
-    const comparison = beside.finish(sliceEnd());
-    if (comparison) {
-      this.beside = undefined;
-      this.answer({ kind: 'compared', comparison });
     }
   }
 
@@ -300,11 +286,8 @@ function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
   }
 }
 
-let first: Playing | undefined;
-
-// Reads a recording and plays it until it is closed, also while it is read. With the first one the worker ends.
+// Reads a recording and plays it until it is closed, also while it is read. Then the worker ends.
 async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
-  const isFirst = !first;
   let isClosed = false;
   out.onmessage = ({ data }): void => void (isClosed = data.kind === 'close');
   const telling = new Throttle(progressMs);
@@ -326,8 +309,7 @@ async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
       return;
     }
     const { lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks } = tape;
-    const playing = new Playing(module, tape, out, progress, first);
-    first ??= playing;
+    const playing = new Playing(module, tape, out, progress);
     out.onmessage = ({ data }): void => playing.hear(data);
     out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
@@ -335,9 +317,7 @@ async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
     out.postMessage({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
   } finally {
     out.close();
-    if (isFirst) {
-      close();
-    }
+    close();
   }
 }
 
