@@ -13,7 +13,6 @@ const { EnvelopeStrokes } = await load('view/strokes');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('messages');
 const { FaultIndex } = await load('worker/faultIndex');
-const { withoutList } = await load('bookmarks');
 const { tidied } = await load('text');
 const { gapOf } = (await new Native().load()).wasm;
 
@@ -232,21 +231,6 @@ check('a name has no control characters, and no character of it is cut', () => {
     assert.equal(tidied(name, most), kept);
   }
 });
-
-const utf16 = (text, isBig) => Buffer.from(Buffer.from(`\ufeff${text}`, 'utf16le').map((_, i, all) => all[isBig ? i ^ 1 : i]));
-for (const [what, before, after] of [
-  ['a list', '5 0F\n# bookmarks\n# bookmark 1 a\n', '5 0F\n'],
-  ['three lists, as older pages saved them', '5 0F\n\n# bookmarks\n# bookmark 1 a\n\n# bookmarks\n\n# bookmarks\r\n# bookmark 2 b\r\n', '5 0F\n\n'],
-  ['a list that is not at the end', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n'],
-  ['a comment that looks like one', '# about # bookmarks\n5 0F\n# so # bookmarks', '# about # bookmarks\n5 0F\n# so # bookmarks\n'],
-  ['no line end', '5 0F', '5 0F\n'],
-  ['nothing but a list', '# bookmarks\n# bookmark 1 a \u{1F600}', '\n'],
-  ['UTF-16', utf16('5 0F\n# bookmarks\n# bookmark 1 \u{1F600}\n', false), '5 0F\n'],
-  ['UTF-16, big-endian', utf16('5 0F\n', true), '5 0F\n'],
-]) {
-  const kept = await new Blob(await withoutList(new Blob([before]))).text();
-  check(`a recording with ${what} is saved without a list at its end, and with a line end`, () => assert.equal(kept, after));
-}
 
 check('no module of the page needs itself, also not for a type; what page and worker tell each other needs only the border', () => {
   const modules = readdirSync(sources, { recursive: true }).filter((name) => /(?<!\.d)\.ts$/.test(name)).map((name) => name.slice(0, -3));

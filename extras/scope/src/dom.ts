@@ -45,19 +45,6 @@ export function setAttribute(element: Element, name: string, value: string): voi
   }
 }
 
-// Calls `act` for a key without Ctrl and the like on the curves or the time line, but not in a list, where a letter chooses. It returns
-// false for a key that is not its own.
-export function onKeys(act: (key: string, shift: boolean) => boolean): void {
-  for (const root of [byId('plot'), byId('timeline')]) {
-    root.addEventListener('keydown', (event) => {
-      const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !(event.target instanceof HTMLSelectElement);
-      if (isPlain && act(event.key.toLowerCase(), event.shiftKey)) {
-        event.preventDefault();
-      }
-    });
-  }
-}
-
 export function download(name: string, parts: BlobPart[], type: string): void {
   const url = URL.createObjectURL(new Blob(parts, { type }));
   make('a', { href: url, download: name }).click();

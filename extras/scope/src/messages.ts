@@ -26,12 +26,6 @@ export interface Problem {
 // Of a source or a port: worker/connection.ts.
 export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
 
-// A moment of a line that has a name.
-export interface Bookmark {
-  us: number;
-  name: string;
-}
-
 // Frames or rows, the oldest first.
 export interface Samples {
   times: Float64Array; // s
@@ -192,8 +186,8 @@ export type Answer =
   | { kind: 'failed'; error: string }
   | { kind: 'refused' } // the worker does not find the port
   // Of a file: what carries the line in a capture; its signals with S.Bus, that one first; what a user should know; what is wrong with its bytes, and what to do; its own time at time 0, not above 0; when time 0 was, in us since
-  // 1970; the bookmarks of a plain text.
-  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture }
+  // 1970.
+  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; picture: Picture }
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
@@ -201,5 +195,4 @@ export type Answer =
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
-  | { kind: 'recording'; us: number } // it has begun: its times count from then
   | { kind: 'recorded'; text: string }; // the end of it

@@ -2,7 +2,7 @@
 
 import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
 import type { Stretch } from './line';
-import type { Answer, Picture } from './messages';
+import type { Picture } from './messages';
 
 const channels = 32;
 
@@ -82,13 +82,12 @@ export class Native {
   }
 
   // Begins or ends a recording.
-  record(on: boolean): Answer {
-    const us = this.calls.record(Number(on));
-    return on ? { kind: 'recording', us } : { kind: 'recorded', text: this.recorded() };
+  record(on: boolean): void {
+    this.calls.record(Number(on));
   }
 
   // Returns what was recorded since the last call.
-  private recorded(): string {
+  recorded(): string {
     return this.words(this.calls.takeRecorded());
   }
 

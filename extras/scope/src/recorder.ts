@@ -4,9 +4,7 @@ import { clock, shownSeconds } from './clock';
 import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
-import { commentsOf } from './bookmarks';
 import type { Remote } from './source/remote';
-import type { Bookmark } from './messages';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 
@@ -44,8 +42,8 @@ export class Recorder {
     }
   }
 
-  // Saves the file once the line has handed over the rest, with those bookmarks that lie within it.
-  end(bookmarks: readonly Bookmark[], nowUs: number): void {
+  // Saves the file once the line has handed over the rest.
+  end(): void {
     const { line } = this;
     if (!line) {
       return;
@@ -55,11 +53,7 @@ export class Recorder {
     const parts = [...this.parts, this.text];
     this.parts = [];
     this.text = '';
-    const set = bookmarks.filter(({ us }) => us <= nowUs);
-    void line.endRecorded().then((rest) => {
-      const within = set.map(({ us, name }) => ({ us: us - line.recordingUs, name })).filter(({ us }) => us >= 0);
-      download(`sbus-${stamp()}.txt`, [...parts, rest, commentsOf(within)], 'text/plain');
-    });
+    void line.endRecorded().then((rest) => download(`sbus-${stamp()}.txt`, [...parts, rest], 'text/plain'));
   }
 }
 

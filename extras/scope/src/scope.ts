@@ -20,12 +20,11 @@ export function scopeOf(core: Core, notice: NoticeView, failed: (view: string, e
       setZero(source.line.file.zeroUs ?? 0);
       rooms.forEach((room) => room.enter?.(source));
     },
-    () => keep.mayLeave(),
   );
-  const visit = (us: number): void => void (recording.visit(us) || line.curves.show(us));
-  const line = lineRoom(core, choice, visit, () => keep.endRecording());
-  const keep = keepRoom(choice, line, visit, notice);
-  const recording = recordingRoom(core, choice, line, keep, notice);
+  const seeking = (): void => keep.endRecording();
+  const line = lineRoom(core, choice, (us) => recording.visit(us), seeking);
+  const keep = keepRoom(choice, line);
+  const recording = recordingRoom(core, choice, line, seeking, notice);
   const live = liveRoom(core, choice, notice);
   const rooms: Room[] = [sourceRoom(choice), line, keep, recording, live];
   const broken = new Set<string>(); // views
@@ -36,7 +35,6 @@ export function scopeOf(core: Core, notice: NoticeView, failed: (view: string, e
       return;
     }
     const shown = line.show(source);
-    line.curves.name(keep.bookmarks.all);
     for (const [view, draw] of rooms.flatMap(({ views }) => Object.entries(views)).filter(([view]) => !broken.has(view))) {
       try {
         draw(shown);

@@ -28,7 +28,7 @@ export type LineRoom = ReturnType<typeof lineRoom>;
 
 const isTrusted = ({ status: { state } }: Shown): boolean => state === LinkState.Ok || state === LinkState.Lossy;
 
-// `visit`: goes to a time of the line, in us. `seeking`: called before another place of a recording is sought.
+// `visit`: goes to a time of a recording, in us. `seeking`: called before another place of a recording is sought.
 export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number) => void, seeking: () => void) {
   let newest: Stretch | undefined; // frame or row
   const history = new History();

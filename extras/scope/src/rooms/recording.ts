@@ -9,13 +9,12 @@ import type { Source } from '../source/Source';
 import type { NoticeView } from '../view/notice';
 import { Timeline } from '../view/timeline';
 import { WireView } from '../view/wire';
-import type { KeepRoom } from './keep';
 import type { LineRoom } from './line';
 import type { Room } from './Room';
 
-// What it returns goes to a time, in us, and stops there; or returns false if no recording is played.
-export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: LineRoom, keep: KeepRoom, notice: NoticeView): Room & { visit(us: number): boolean } {
-  const timeline = new Timeline(keep.bookmarks, () => keep.endRecording());
+// `seeking`: called before another place is sought. `visit` of what it returns goes to a time, in us, and stops there.
+export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: LineRoom, seeking: () => void, notice: NoticeView): Room & { visit(us: number): void } {
+  const timeline = new Timeline(seeking);
   const wire = new WireView();
   const signal = byId<HTMLSelectElement>('wire-signal');
   const playing = (): RecordingSource | undefined => (choice.current instanceof RecordingSource ? choice.current : undefined);

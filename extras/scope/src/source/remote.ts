@@ -37,7 +37,6 @@ export class Remote {
   flight?: Flight; // of a recording that is decoded
   envelope?: Envelope; // of a long one
   wire?: Wire; // the part that was asked for last
-  recordingUs = 0; // the line's time from which the newest recording counts
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -189,7 +188,6 @@ export class Remote {
     switch (answer.kind) {
       case 'progress': this.progress = answer.part; break;
       case 'failed': this.fail(); break;
-      case 'recording': this.recordingUs = answer.us; break;
       case 'recorded':
         this.ended?.(this.takeRecorded() + answer.text);
         this.ended = undefined;

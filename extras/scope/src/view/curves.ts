@@ -8,7 +8,7 @@ import { byId, setText } from '../dom';
 import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
-import type { Bookmark, Envelope } from '../messages';
+import type { Envelope } from '../messages';
 import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
 import { CursorTable } from './cursorTable';
@@ -22,7 +22,6 @@ import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
-const nameRows = 4; // of bookmarks
 const awayMs = 300; // at rest, where no samples are kept, until the recording goes there
 
 // Returns the width of an axis with these texts, in pixels.
@@ -47,7 +46,6 @@ export class Curves {
   private rows = false;
   private intervalUs = 0;
   private event?: number; // the moment that is marked, in s
-  private bookmarks: readonly Bookmark[] = [];
   private readonly cursors: Cursors;
   private readonly table: CursorTable;
 
@@ -97,19 +95,6 @@ export class Curves {
   mark(us?: number): void {
     this.event = us === undefined ? undefined : us / 1e6;
     this.drawn.edge = NaN;
-  }
-
-  // Shows bookmarks.
-  name(bookmarks: readonly Bookmark[]): void {
-    if (bookmarks !== this.bookmarks) {
-      this.bookmarks = bookmarks;
-      this.drawn.edge = NaN;
-    }
-  }
-
-  // Shows a time in the middle, and stops there.
-  show(us: number): void {
-    this.look((view) => view.place(us / 1e6, 0.5));
   }
 
   // Stops with the marked moment at a part of the width.
@@ -279,7 +264,6 @@ export class Curves {
       },
       hooks: {
         drawClear: [(plot): void => this.bands(plot, palette)],
-        draw: [(plot): void => this.flags(plot, palette)],
         setSelect: [
           (plot): void => {
             const { left, width } = plot.select;
@@ -292,40 +276,6 @@ export class Curves {
       },
     });
     this.cursors.enter(this.plot.over);
-  }
-
-  // Draws the bookmarks, each with its name.
-  private flags(plot: uPlot, palette: Palette): void {
-    const pixel = devicePixelRatio;
-    within(plot, (ctx, bbox) => {
-      ctx.font = `${12 * pixel}px system-ui, sans-serif`;
-      ctx.textBaseline = 'top';
-      ctx.strokeStyle = ctx.fillStyle = palette.ink;
-      ctx.setLineDash([2 * pixel, 2 * pixel]);
-      ctx.textAlign = 'left';
-      const [from, to] = this.shownUs;
-      const gap = 4 * pixel;
-      const freeX = new Array(nameRows).fill(bbox.left); // names do not lie on each other
-      let lastX = NaN;
-      for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
-        const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-        if (x === lastX) {
-          continue;
-        }
-        lastX = x;
-        const width = Math.min(...freeX) > x + gap ? Infinity : ctx.measureText(name).width; // no row is free
-        const textX = x + gap + width > bbox.left + bbox.width ? x - gap - width : x + gap; // not over the right edge
-        ctx.beginPath();
-        ctx.moveTo(x, bbox.top);
-        ctx.lineTo(x, bbox.top + bbox.height);
-        ctx.stroke();
-        const row = freeX.findIndex((free) => textX >= free);
-        if (row >= 0) {
-          ctx.fillText(name, textX, bbox.top + (2 + 14 * row) * pixel);
-          freeX[row] = textX + width + gap;
-        }
-      }
-    });
   }
 
   // Below the curves: losses, the position on a whole recording, and the moment that is marked.

@@ -90,7 +90,12 @@ class LiveLine {
       case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
       case 'sensors': native.transfer(request.sensors, (count) => native.calls.setSensors(count)); break;
-      case 'record': this.answer(native.record(request.on)); break;
+      case 'record':
+        native.record(request.on);
+        if (!request.on) {
+          this.answer({ kind: 'recorded', text: native.recorded() });
+        }
+        break;
       case 'close':
         clearInterval(this.timer);
         this.feed.close();

@@ -2,7 +2,7 @@
 
 import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../border';
 import type { Status } from '../line';
-import type { Bookmark, Flight, Wire } from '../messages';
+import type { Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { firstFrom } from '../numbers';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
@@ -16,7 +16,6 @@ export class Tape {
   sensors: Uint8Array = new Uint8Array(); // in its telemetry's slots
   size = 0; // characters
   lengthUs = 0;
-  bookmarks?: Bookmark[]; // of a recording as a plain text
   carrier = ''; // of a capture: the signal that carries the line
   signals: string[] = []; // of a capture: those that carry S.Bus, this one first
   note = ''; // what a user should know of the file
@@ -53,7 +52,6 @@ export class Tape {
       this.note = this.native.words(calls.fileNote());
       this.damage = this.native.words(calls.fileDamage()).split('\n').filter(Boolean);
       this.zeroUs = calls.recordingZeroUs();
-      this.bookmarks = isZip || packing || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
     }
     return wrong;
   }
@@ -209,10 +207,6 @@ class Text {
       this.native.transfer(bytes, (count) => this.native.calls.fileText(count));
     }
   }
-}
-
-function bookmarksIn(text: string): Bookmark[] {
-  return text.split('\n').filter(Boolean).map((line) => line.split('\t')).map(([us, ...name]) => ({ us: Number(us), name: name.join(' ') }));
 }
 
 function joined(first: Uint8Array, second: Uint8Array): Uint8Array<ArrayBuffer> {

@@ -61,7 +61,10 @@ class Playing {
         if (this.isLeaving) {
           this.waiting.push(request); // a jump would end it
         } else {
-          this.answer(reader.record(request.on));
+          reader.record(request.on);
+          if (!request.on) {
+            this.answer({ kind: 'recorded', text: reader.recorded() });
+          }
         }
         break;
       case 'seek': case 'advance': case 'fault': case 'event':
@@ -308,10 +311,10 @@ async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
       out.postMessage({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks } = tape;
+    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs } = tape;
     const playing = new Playing(module, tape, out, progress);
     out.onmessage = ({ data }): void => playing.hear(data);
-    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
+    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     out.postMessage({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
