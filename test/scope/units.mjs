@@ -13,7 +13,6 @@ const { EnvelopeStrokes } = await load('view/strokes');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('messages');
 const { FaultIndex } = await load('worker/faultIndex');
-const { tidied } = await load('text');
 const { gapOf } = (await new Native().load()).wasm;
 
 const seed = Number(process.argv[2] ?? 20181);
@@ -219,17 +218,6 @@ check('bytes without any frame are the fault "no frames", from the first to the 
   for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 });
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
-});
-
-check('a name has no control characters, and no character of it is cut', () => {
-  const family = '\u{1F468}\u200D\u{1F469}\u200D\u{1F467}'; // 8 units, one character
-  for (const [name, most, kept] of [
-    ['  take  off\t1\n', 60, 'take off 1'], ['a\0b\x1b[1m\u0085c', 60, 'a b [1m c'], ['\0', 60, ''], ['x'.repeat(70), 60, 'x'.repeat(60)],
-    [`${'x'.repeat(59)}\u{1F600}`, 60, 'x'.repeat(59)], [`${'x'.repeat(58)}\u{1F600}`, 60, `${'x'.repeat(58)}\u{1F600}`],
-    [`${'x'.repeat(55)}${family}`, 60, 'x'.repeat(55)], [`e\u0301`.repeat(10), 5, 'e\u0301e\u0301'],
-  ]) {
-    assert.equal(tidied(name, most), kept);
-  }
 });
 
 check('no module of the page needs itself, also not for a type; what page and worker tell each other needs only the border', () => {

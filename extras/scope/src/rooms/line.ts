@@ -1,6 +1,5 @@
 // What is shown of any line: its verdict, its values, its bytes, its curves.
 
-import { Channels } from '../channels';
 import type { Core } from '../core';
 import { verdictOf } from '../doctor';
 import { byId } from '../dom';
@@ -16,7 +15,6 @@ import { CountersView } from '../view/counters';
 import { Curves } from '../view/curves';
 import { FramesView } from '../view/frames';
 import { LinkView } from '../view/link';
-import { NamesView } from '../view/names';
 import { StatisticsView } from '../view/statistics';
 import { SticksView } from '../view/sticks';
 import { TelemetryView } from '../view/telemetry';
@@ -32,7 +30,7 @@ const isTrusted = ({ status: { state } }: Shown): boolean => state === LinkState
 export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number) => void, seeking: () => void) {
   let newest: Stretch | undefined; // frame or row
   const history = new History();
-  const channels = new Channels();
+  const channels = new Set([0, 1, 2, 3]); // that have a curve
   const units = new Units(byId<HTMLSelectElement>('unit'));
   const sensors = new Sensors(core.sensors);
   const curves = new Curves(history, channels, sensors, visit);
@@ -43,7 +41,6 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
   const link = new LinkView();
   const bars = new Bars(core, channels, () => choice.current?.line);
   const sticks = new SticksView(core);
-  const names = new NamesView(channels);
   const counters = new CountersView();
   const statistics = new StatisticsView(history);
   byId('reset-marks').addEventListener('click', () => choice.current?.line.ask({ kind: 'resetMarks' }));
@@ -53,7 +50,6 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
     'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.picture.isPreview),
     'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
-    'The view of the names': () => names.draw(newest?.channels.length || 16),
     'The view of the counters': ({ source }) => counters.draw(source.line.picture),
     'The view of the telemetry': ({ source }) => telemetry.draw(source.line.picture.telemetry),
     'The view of the curves': ({ source, nowUs, status, unit }) => curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),

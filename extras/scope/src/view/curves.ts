@@ -2,7 +2,6 @@
 // the curves are paused; or a whole recording.
 
 import type uPlot from 'uplot';
-import type { Channels } from '../channels';
 import { widthText } from '../clock';
 import { byId, setText } from '../dom';
 import { silenceUs } from '../faults';
@@ -51,7 +50,7 @@ export class Curves {
 
   constructor(
     private readonly history: History,
-    private readonly channels: Channels,
+    private readonly channels: ReadonlySet<number>, // that have a curve
     private readonly sensors: Sensors,
     private readonly visit: (us: number) => void, // goes to a place of a recording
   ) {
@@ -135,8 +134,9 @@ export class Curves {
     this.choose();
     this.intervalUs = intervalUs;
     this.rows = newest !== undefined && newest.bytes.length === 0;
-    const channels = this.channels.drawn(newest?.channels.length || 16);
-    this.curves = [...channels.map((column) => ({ column, name: this.channels.name(column), unit })), ...this.sensors.drawn()];
+    const count = newest?.channels.length || 16;
+    const channels = [...this.channels].filter((channel) => channel < count).sort((a, b) => a - b);
+    this.curves = [...channels.map((column) => ({ column, name: `CH${column + 1}`, unit })), ...this.sensors.drawn()];
     const shown = `${this.curves.map((curve) => `${curve.column} ${curve.unit.axis}`)} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
