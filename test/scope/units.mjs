@@ -9,7 +9,7 @@ import { Native } from './native.mjs';
 const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
 const { EnvelopeIndex } = await load('worker/envelope');
-const { EnvelopeStrokes } = await load('view/strokes');
+const { EnvelopeStrokes, SampleStrokes } = await load('view/strokes');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('messages');
 const { FaultIndex } = await load('worker/faultIndex');
@@ -117,6 +117,28 @@ check('a recording can be shown from end to end, and its edge stays within it', 
   }
   view.follow(100, 0);
   assert.equal(view.seconds <= 240, true);
+});
+
+check('a curve has each value in its place, and breaks at a silence and where a sensor measures nothing; failsafe and losses are bands', () => {
+  const history = new History();
+  const values = Array.from({ length: 400 }, (_, i) => (37 * i) % 1000);
+  const timeOf = (i) => i * 10000 + (i >= 200 ? 500000 : 0);
+  values.forEach((value, i) => history.add({ endUs: timeOf(i), flags: i >= 40 && i < 50 ? 8 : i >= 50 && i < 60 ? 4 : 0, channels: [7, i === 300 ? NaN : value], readings: [] }));
+  const area = { left: 100, top: 20, width: 450, height: 1000, edge: 4.5, seconds: 4.5, begin: 0, end: 400 };
+  const strokes = new SampleStrokes(history);
+  const trace = (column) => {
+    const [moves, points] = [[], []];
+    strokes.trace({ column, unit: { low: 0, high: 1000 } }, area, 0.1, { moveTo: (x, y) => moves.push(x) && points.push([x, y]), lineTo: (x, y) => points.push([x, y]) });
+    return { moves, points };
+  };
+  const xOf = (i) => Math.round(100 + timeOf(i) / 10000);
+  const { moves, points } = trace(1);
+  assert.deepEqual(moves, [xOf(0), xOf(200), xOf(301)]);
+  assert.deepEqual(points, values.map((value, i) => [xOf(i), 1020 - value]).filter((_, i) => i !== 300));
+  assert.deepEqual(trace(0).points, [0, 199, 200, 399].map((i) => [xOf(i), 1013])); // a stroke for all of one height
+  const bands = [];
+  strokes.bands(area, (x, width, failsafe) => bands.push([Math.round(x), Math.round(width), failsafe]));
+  assert.deepEqual(bands, [[xOf(40), 10, true], [xOf(50), 10, false]]);
 });
 
 check('the envelope of a recording has the least and the greatest value of each column of pixels, and its silences', () => {

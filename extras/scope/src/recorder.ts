@@ -1,4 +1,4 @@
-// What the user saves: a recording in the project's format, the values as CSV, or a picture.
+// What the user saves: a recording in the project's format, or the values as CSV.
 
 import { clock, shownSeconds } from './clock';
 import { Awake } from './awake';
@@ -73,8 +73,4 @@ export function saveCsv(history: History, channels: number, isBoard: boolean): v
   const shortOf = (sample: number): string => clock(1e6 * history.time(sample)).replace(/:(\d+)\..*/, 'm$1s');
   const ends = history.end > history.begin ? [shortOf(history.begin), shortOf(history.end - 1)] : [];
   download(`${['sbus', stamp(), ...ends].join('-')}.csv`, [lines.join('\n'), '\n'], 'text/csv');
-}
-
-export function savePicture(svg: string): void {
-  download(`sbus-${stamp()}.svg`, [svg], 'image/svg+xml');
 }

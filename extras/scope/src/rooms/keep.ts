@@ -1,8 +1,8 @@
-// What the user keeps of a line: a recording of it, its values, a picture.
+// What the user keeps of a line: a recording of it, or its values.
 
 import { byId, setText } from '../dom';
 import { Kind } from '../line';
-import { Recorder, saveCsv, savePicture } from '../recorder';
+import { Recorder, saveCsv } from '../recorder';
 import type { Choice } from '../source/choice';
 import type { Source } from '../source/Source';
 import type { LineRoom } from './line';
@@ -26,7 +26,6 @@ export function keepRoom(choice: Choice<Source>, line: LineRoom) {
   });
   addEventListener('beforeunload', (event) => recorder.on && event.preventDefault());
   byId('csv').addEventListener('click', () => saveCsv(line.history, line.newest?.channels.length ?? 16, line.newest?.kind === Kind.Row));
-  byId('picture').addEventListener('click', () => savePicture(line.curves.svg(choice.current?.title ?? '')));
   return {
     // Saves what was recorded.
     endRecording: () => recorder.end(),

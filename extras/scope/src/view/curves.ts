@@ -14,7 +14,6 @@ import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
 import { Gestures, wheelKey } from './gestures';
 import { paletteOf, type Palette } from './palette';
-import { picture } from './picture';
 import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, within } from './plot';
 import { type Area, type Curve, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
 import { Viewport } from './viewport';
@@ -40,7 +39,6 @@ export class Curves {
   private nowUs = 0;
   private movedMs = Infinity; // when the user has looked elsewhere
   private unit?: Unit;
-  private palette?: Palette;
   private curves: Curve[] = [];
   private rows = false;
   private intervalUs = 0;
@@ -116,12 +114,6 @@ export class Curves {
   // Redraws what depends on the theme.
   repaint(): void {
     this.shown = '';
-  }
-
-  // Returns what is shown, as the text of an SVG file.
-  svg(title: string): string {
-    const { curves, unit, palette, drawn: times, longest, thickness } = this;
-    return picture(this.strokes, { title, curves, unit: unit as Unit, times, longest, thickness }, palette as Palette);
   }
 
   // `intervalUs`: the mean interval of frames or rows. `envelope`: of a whole recording.
@@ -241,7 +233,7 @@ export class Curves {
 
   private make(curves: Curve[]): void {
     this.plot?.destroy();
-    const palette = (this.palette = paletteOf(this.root));
+    const palette = paletteOf(this.root);
     const unit = this.unit as Unit;
     const others = [...new Set(curves.map((curve) => curve.unit))].filter(({ axis }) => axis !== undefined);
     this.root.replaceChildren();

@@ -1,8 +1,8 @@
-// The theme's colours as numbers, for a canvas and for a picture: they know neither variables nor light-dark(). And the curves' dashes.
+// The theme's colours as numbers, for a canvas: it knows neither variables nor light-dark(). And the curves' dashes.
 
 import { History } from '../history';
 
-const names = ['card', 'ink', 'muted', 'grid', 'alarm-band', 'warning-band', 'alarm'] as const;
+const names = ['ink', 'muted', 'grid', 'alarm-band', 'warning-band', 'alarm'] as const;
 const curves = 8;
 
 export type Palette = Record<(typeof names)[number], string> & { curves: string[] };

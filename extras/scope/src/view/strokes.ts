@@ -1,4 +1,4 @@
-// How a line becomes strokes, on the screen and in a picture: by its samples, or a whole recording by its envelope.
+// How a line becomes strokes: by its samples, or a whole recording by its envelope.
 
 import { clock, shownSeconds } from '../clock';
 import { Flag } from '../line';
