@@ -111,7 +111,7 @@ check('a recording can be shown from end to end, and its edge stays within it', 
   });
   assert.deepEqual(walk(-1, 10).slice(4), [[240, 100], [480, 480], [960, 960], [1920, 1920], [3600, 3600], [3600, 3600]]);
   for (let i = 0; i < 1000; i++) {
-    [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.place(4000 * random(), random())][i % 3]();
+    [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.centre(4000 * random())][i % 3]();
     assert.ok(view.edge <= 3600 && view.seconds <= 3600 && (!view.isWide || view.begin >= -1e-9), `${view.begin} to ${view.edge}`);
     assert.equal(view.isAway, view.edge > 100.001);
   }

@@ -94,9 +94,9 @@ export class Curves {
     this.drawn.edge = NaN;
   }
 
-  // Stops with the marked moment at a part of the width.
-  stop(part: number): void {
-    this.look((view) => view.place(this.event ?? 0, part));
+  // Stops with the marked moment in the middle.
+  stop(): void {
+    this.look((view) => view.centre(this.event ?? 0));
   }
 
   // +1 zooms in.
