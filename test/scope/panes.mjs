@@ -1,4 +1,4 @@
-// Places to look from: what stands where at four sizes, panes that change their size, and only what a source has.
+// Places to look from: what stands where at three sizes, and only what a source has.
 import assert from 'node:assert/strict';
 import { check, codes, connect, drawn, frame, opensWith, reads, recorded, seek, toEnd, until } from './support.mjs';
 
@@ -46,55 +46,6 @@ export default async function () {
     const { height } = await page.evaluate(() => ({ height: document.documentElement.scrollHeight }));
     assert.ok(height < 3370, `the page is ${height} px high`);
   }, phone);
-
-  const heightOf = (page) => boxOf(page, '#plot').then(({ height }) => Math.round(height));
-  await check('the curves become higher by a drag and by keys, and the browser remembers it', async (page) => {
-    await reads(page, '#state', 'Fine');
-    const usual = await heightOf(page);
-    const { left, top } = await boxOf(page, '#split-curves');
-    await page.mouse.move(left + 50, top + 5);
-    await page.mouse.down();
-    await page.mouse.move(left + 50, top + 65, { steps: 4 });
-    await page.mouse.up();
-    assert.equal(await heightOf(page), usual + 60);
-    await page.mouse.move(left + 50, top + 200);
-    assert.equal(await heightOf(page), usual + 60, 'it goes on without a button');
-    await page.focus('#split-curves');
-    await page.keyboard.press('ArrowDown');
-    assert.equal(await heightOf(page), usual + 76);
-    await until('its value is not told', async () => Number(await page.getAttribute('#split-curves', 'aria-valuenow')) === usual + 76);
-    await page.reload();
-    await reads(page, '#state', 'Fine');
-    assert.equal(await heightOf(page), usual + 76);
-    await page.focus('#split-curves');
-    await page.keyboard.press('Home');
-    assert.equal(await heightOf(page), 160);
-    await page.keyboard.press('Enter');
-    assert.equal(await heightOf(page), usual);
-    await page.reload();
-    assert.equal(await heightOf(page), usual);
-  });
-
-  await check('the channels become wider, and leave the curves less', async (page) => {
-    await reads(page, '#state', 'Fine');
-    const before = [await boxOf(page, '#channels'), await boxOf(page, '#plot')];
-    await page.focus('#split-channels');
-    for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
-    const after = [await boxOf(page, '#channels'), await boxOf(page, '#plot')];
-    assert.equal(Math.round(after[0].width - before[0].width), 80);
-    assert.equal(Math.round(before[1].width - after[1].width), 80);
-    await page.dblclick('#split-channels', { position: { x: 8, y: 10 } });
-    assert.equal((await boxOf(page, '#channels')).width, before[0].width);
-  });
-
-  await check('a size that is stored, but senseless, is not taken', async (page) => {
-    for (const [kept, height] of [['99999', 1200], ['-5', undefined], ['wide', undefined]]) {
-      await page.evaluate((px) => localStorage.setItem('sbus-scope-curves', px), kept);
-      await page.reload();
-      await reads(page, '#state', 'Fine');
-      assert.equal(await heightOf(page), height ?? 900 - 35 * 16);
-    }
-  });
 
   await check('a board that prints plain numbers shows no flags, no bytes, no sticks', async (page) => {
     await printing(page, '12.5,80,-3\r\n');

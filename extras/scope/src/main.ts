@@ -7,7 +7,6 @@ import { keepOffline } from './offline';
 import { scopeOf } from './scope';
 import { CalibrationView } from './view/calibration';
 import { NoticeView } from './view/notice';
-import { splitPanes } from './view/panes';
 import { ScaleView } from './view/scale';
 
 const stays = 'Save the recording, and reload the page.';
@@ -44,7 +43,6 @@ for (const query of [dark, matchMedia('(forced-colors: active)')]) {
   query.addEventListener('change', () => scope.repaint());
 }
 
-splitPanes();
 void keepOffline();
 const scale = new ScaleView(core);
 const calibration = new CalibrationView(core, () => scale.calibrated());
