@@ -165,7 +165,6 @@ export interface Picture {
   kind: 'picture';
   id: number; // of the request
   jumped: boolean; // what came before is in it, or follows as the past
-  isPreview?: boolean; // of a place that is not decoded yet: what the status counts, and the link quality, is not known; the picture follows
   us: number;
   status: Status;
   travel: ([number, number] | undefined)[]; // by channel: the lowest and highest value

@@ -47,7 +47,7 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
 
   const views: Room['views'] = {
     'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.picture.live?.note ?? ''),
-    'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.picture.isPreview),
+    'The view of the link': ({ status }) => link.draw(status, newest),
     'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the counters': ({ source }) => counters.draw(source.line.picture),

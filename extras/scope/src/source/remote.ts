@@ -215,10 +215,8 @@ export class Remote {
       sink.precede(answer.samples);
     } else if (answer.kind === 'picture' && answer.id >= this.sought) {
       this.picture = answer;
-      if (!answer.isPreview) {
-        this.answered = answer.id;
-        this.progress = undefined;
-      }
+      this.answered = answer.id;
+      this.progress = undefined;
       const pieces = answer.records.map((records) => this.core.stretchesIn(records));
       if (answer.jumped) {
         sink.jump(pieces.shift() ?? []);

@@ -79,8 +79,7 @@ export class LinkView {
     }
   }
 
-  // `isPreview`: see Picture.
-  draw(status: Status, newest: Stretch | undefined, isPreview = false): void {
+  draw(status: Status, newest: Stretch | undefined): void {
     const state = status.state as LinkState;
     setText(this.state, states[state][0]);
     setAttribute(this.stateTile, 'data-severity', states[state][1]);
@@ -96,11 +95,11 @@ export class LinkView {
     }
     this.tiles.forEach((label, i) => setText(label, labels[Number(status.rows > 0)][i]));
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
-    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${isPreview ? '…' : `${status.linkQuality}\u00a0%`}`);
+    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
     setText(this.rate, String(status.framesPerSecond));
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
-    const hasGaps = status.gapMeanUs > 0 && !isPreview;
-    setText(this.gap, hasGaps ? `${ms(status.gapMeanUs)} ms` : isPreview ? '…' : '–');
+    const hasGaps = status.gapMeanUs > 0;
+    setText(this.gap, hasGaps ? `${ms(status.gapMeanUs)} ms` : '–');
     setText(this.gapEnds, hasGaps ? `${ms(status.gapMinUs)} to ${ms(status.gapMaxUs)}` : '');
   }
 }

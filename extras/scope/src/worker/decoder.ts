@@ -18,18 +18,15 @@ export interface Image {
 
 export class Decoder {
   us = 0;
-  next: number; // the first character that it has not decoded
+  next = 0; // the first character that it has not decoded
   private native: Native;
   private readonly first: Uint32Array;
   steps?: Uint8Array; // of the condition that it watches for
 
-  // `from`: the first character of the tape that it decodes.
   constructor(
     private readonly module: WebAssembly.Module,
     private readonly tape: Tape,
-    from = 0,
   ) {
-    this.next = from;
     this.native = this.instance(true);
     this.native.transfer(tape.sensors, (count) => this.native.calls.setSensors(count));
     this.native.transfer(tape.settings, () => this.native.calls.playRecording());

@@ -4,7 +4,6 @@ import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../borde
 import type { Status } from '../line';
 import type { Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
-import { firstFrom } from '../numbers';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -129,11 +128,6 @@ export class Tape {
 
   timeOf(character: number): number {
     return character < this.size ? this.native.calls.recordingUs(character) : 0;
-  }
-
-  // Returns the first character that is not complete before then.
-  find(us: number): number {
-    return firstFrom(0, this.size, (character) => this.timeOf(character) < us);
   }
 
   beginFlight(): void {

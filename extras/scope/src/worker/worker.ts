@@ -18,8 +18,6 @@ const pictureMs = 30; // at most, for a picture
 const progressMs = 100;
 const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
-const settledUs = 10000000; // before that, until a decoder that begins anywhere shows what one that began at 0 does
-const settled = 5000; // characters: failsafe by losses takes 100 frames, at 5 Hz twenty seconds
 
 const sliceEnd = (): number => performance.now() + sliceMs;
 
@@ -29,7 +27,6 @@ class Playing {
   private index: TapeIndex;
   private past?: Past;
   private search?: Search;
-  private previewed = 0; // the newest seek whose place was shown before it was decoded
   private soughtUs?: number; // the place of a seek that is not done yet
   private readonly waiting: Request[] = []; // until the place that is looked for is reached
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
@@ -116,8 +113,6 @@ class Playing {
       }
       if (wanted?.kind === 'seek' && (this.index.isComplete || this.index.us >= wanted.us)) {
         this.seek(wanted.id, wanted.us);
-      } else if (wanted?.kind === 'seek' && this.previewed !== wanted.id) {
-        this.preview(wanted.id, wanted.us);
       } else if (wanted?.kind === 'seek') {
         this.progress(this.index.us / wanted.us);
         this.index.work(sliceEnd());
@@ -170,7 +165,9 @@ class Playing {
     const { player, index } = this;
     const fromUs = Math.max(us - shownUs, 0);
     player.restore(index.before(fromUs));
-    const records = recordsAt(player, us);
+    player.advance(fromUs);
+    const records = [player.reader.recalled()];
+    player.advance(us, (part) => records.push(part));
     if (found) {
       this.advanceTo(found, records);
     }
@@ -184,19 +181,6 @@ class Playing {
       this.seek(id, this.soughtUs, found, event);
     } else {
       this.show(id, false, [], found, event);
-    }
-  }
-
-  // Shows a place that is not decoded yet, by a decoder that begins a little before it. Only with a frame: else it would say that
-  // there never was one, or misread the columns of rows: their names come first.
-  private preview(id: number, us: number): void {
-    const { module, tape } = this;
-    this.previewed = id;
-    const decoder = new Decoder(module, tape, Math.min(tape.find(us - shownUs - settledUs), Math.max(tape.find(us) - settled, 0)));
-    const records = recordsAt(decoder, us);
-    const picture = pictureOf(decoder, id, true, records);
-    if (picture.status.frames > 0) {
-      this.answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
     }
   }
 
@@ -260,20 +244,9 @@ class Playing {
   }
 
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
-    return { ...pictureOf(this.player, id, jumped, records), faults: this.index.faults.at(this.player.us) };
+    const { us, reader } = this.player;
+    return { kind: 'picture', id, jumped, ...reader.picture(us), records, faults: this.index.faults.at(us) };
   }
-}
-
-// Decodes up to a place. Returns the records that a jump to there takes.
-function recordsAt(decoder: Decoder, us: number): Uint8Array[] {
-  decoder.advance(Math.max(us - shownUs, 0));
-  const records = [decoder.reader.recalled()];
-  decoder.advance(us, (part) => records.push(part));
-  return records;
-}
-
-function pictureOf({ us, reader }: Decoder, id: number, jumped: boolean, records: Uint8Array[]): Picture {
-  return { kind: 'picture', id, jumped, ...reader.picture(us), records, faults: 0 };
 }
 
 const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
