@@ -43,7 +43,7 @@ Object.defineProperty(globalThis, 'navigator', { value: { serial: fake.serial },
 
 const { Choice } = await load('source/choice');
 const { PortFeed } = await load('worker/portFeed');
-const { pickPort } = await load('source/pick');
+const { pickPort } = await load('source/device');
 
 // One visit to the page: what was chosen when, and what came.
 class Visit {

@@ -1,13 +1,14 @@
 // What is shown of any line: its verdict, its values, its bytes, its curves.
 
+import { Kind, LinkState } from '../border';
 import type { Core } from '../core';
-import { verdictOf } from '../doctor';
 import { byId } from '../dom';
 import { History, isSample } from '../history';
-import { Kind, LinkState, type Sink, type Stretch } from '../line';
+import type { Stretch } from '../native';
 import { Sensors } from '../sensors';
 import type { Choice } from '../source/choice';
 import { RecordingSource } from '../source/recording';
+import type { Sink } from '../source/remote';
 import type { Source } from '../source/Source';
 import { Units } from '../unit';
 import { Bars } from '../view/bars';
@@ -19,7 +20,7 @@ import { StatisticsView } from '../view/statistics';
 import { SticksView } from '../view/sticks';
 import { TelemetryView } from '../view/telemetry';
 import { TriggerView } from '../view/trigger';
-import { VerdictView } from '../view/verdict';
+import { VerdictView, verdictOf } from '../view/verdict';
 import type { Room, Shown } from './Room';
 
 export type LineRoom = ReturnType<typeof lineRoom>;

@@ -4,7 +4,7 @@ import type { Core } from '../core';
 import { byId } from '../dom';
 import type { Problem } from '../messages';
 import type { Choice } from '../source/choice';
-import { type PortKind, pickPort } from '../source/pick';
+import { pickPort, type PortKind } from '../source/device';
 import { PortSource } from '../source/port';
 import { SimulatedSource } from '../source/simulated';
 import type { Source } from '../source/Source';

@@ -2,8 +2,7 @@
 
 import type { Core } from '../core';
 import type { PortPlace, State } from '../messages';
-import { deviceName, idsOf } from './device';
-import type { PortKind } from './pick';
+import { deviceName, idsOf, type PortKind } from './device';
 import { Remote } from './remote';
 import type { Source } from './Source';
 

@@ -1,8 +1,8 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
-import type { Sink } from '../line';
-import type { Answer, Envelope, FaultMap, Flight, Live, Open, Opening, Picture, Problem, Request, Wire } from '../messages';
+import type { Answer, Envelope, FaultMap, Flight, Live, Open, Opening, Picture, Problem, Request, Samples, Wire } from '../messages';
+import type { Stretch } from '../native';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -20,6 +20,15 @@ const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
 type Looked = Omit<Extract<Request, { kind: 'fault' }>, 'id'> | Omit<Extract<Request, { kind: 'event' }>, 'id'>;
+
+// Receives the stretches of a line.
+export interface Sink {
+  take(stretch: Stretch): void;
+  // The line has jumped: all that was taken belongs to another place. `recalled`: the newest stretches before this one.
+  jump(recalled: readonly Stretch[]): void;
+  // Brings the history before the place that the line has jumped to.
+  precede(samples: Samples): void;
+}
 
 // A port to a worker, or to what does its work in the page.
 interface Channel {

@@ -2,11 +2,11 @@
 
 import type { Core } from '../core';
 import { byId, make, setAttribute, setText } from '../dom';
-import type { Stretch } from '../line';
+import type { Stretch } from '../native';
 import type { Remote } from '../source/remote';
 import { Throttle } from '../throttle';
 import type { Unit } from '../unit';
-import { chipOf } from './chip';
+import { chipOf } from './palette';
 
 const textMs = 100; // numbers that change faster cannot be read
 const spokenMs = 500; // for screen readers

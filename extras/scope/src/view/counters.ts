@@ -1,7 +1,7 @@
 // The counters, by cause. Those at 0 are pale.
 
+import type { Status } from '../border';
 import { byId, make, setText } from '../dom';
-import type { Status } from '../line';
 import type { Picture } from '../messages';
 import { Throttle } from '../throttle';
 

@@ -4,14 +4,12 @@
 import type uPlot from 'uplot';
 import { widthText } from '../clock';
 import { byId, setText } from '../dom';
-import { silenceUs } from '../faults';
 import type { History } from '../history';
-import type { Stretch } from '../line';
-import type { Envelope } from '../messages';
+import { type Envelope, silenceUs } from '../messages';
+import type { Stretch } from '../native';
 import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
-import { CursorTable } from './cursorTable';
-import { Cursors } from './cursors';
+import { Cursors, CursorTable } from './cursors';
 import { Gestures, wheelKey } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, within } from './plot';

@@ -1,7 +1,8 @@
 // The link at a glance: its state, the flags, age, quality, rate and gaps.
 
+import { Flag, Kind, LinkState, type Status } from '../border';
 import { byId, make, setAttribute, setText } from '../dom';
-import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
+import type { Stretch } from '../native';
 import { Throttle } from '../throttle';
 
 // Name and severity.

@@ -3,8 +3,7 @@
 import { FlightKind } from '../border';
 import { clock } from '../clock';
 import { byId, make, setAttribute, setText } from '../dom';
-import { faultNames } from '../faults';
-import { Fault, type Flight, type FlightPart } from '../messages';
+import { Fault, faultNames, type Flight, type FlightPart } from '../messages';
 import type { RecordingSource } from '../source/recording';
 
 const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity

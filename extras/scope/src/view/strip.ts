@@ -2,11 +2,9 @@
 // Each fault has a height of its own, so that they can be told apart without colours; losses and damage are as high as they are many.
 
 import { clock } from '../clock';
-import { binCount, faultNames, faults } from '../faults';
-import { byId, make, setAttribute, setText, svg } from '../dom';
-import { Fault, type FaultMap, type Flight, type Span } from '../messages';
+import { Announcer, byId, make, setAttribute, setText, svg } from '../dom';
+import { binCount, Fault, type FaultMap, faultNames, faults, type Flight, type Span } from '../messages';
 import type { RecordingSource } from '../source/recording';
-import { Announcer } from './announcer';
 
 const restMs = 1000; // from one announced fault to the next
 const tall = 8;

@@ -1,10 +1,11 @@
 // The trigger: stops curves and bytes once a condition becomes true, with that moment in the middle. In a recording it also goes to the
 // next event.
 
+import { Flag, Kind } from '../border';
 import { secondsText } from '../clock';
-import { byId, setText } from '../dom';
 import type { Core } from '../core';
-import { Flag, Kind, type Stretch } from '../line';
+import { byId, setText } from '../dom';
+import type { Stretch } from '../native';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 import { keep, recall } from '../storage';

@@ -1,7 +1,6 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
-import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../border';
-import type { Status } from '../line';
+import { CharacterSize, FileHeadMax, RecordReader, type Status, TransferSize } from '../border';
 import type { Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';

@@ -1,7 +1,6 @@
 // While no frame comes, tries the other settings of a live line's port.
 
-import { Finding } from '../border';
-import type { Status } from '../line';
+import { Finding, type Status } from '../border';
 import type { Problem, Setting, State } from '../messages';
 import type { Native } from '../native';
 

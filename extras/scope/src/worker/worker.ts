@@ -1,15 +1,12 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
-import type { RecordReader } from '../border';
+import { Flag, Kind, LinkState, type RecordReader, type Status } from '../border';
 import { History } from '../history';
-import { Flag, Kind, LinkState, type Status } from '../line';
 import { type Answer, Fault, type Found, type Live, type Open, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
-import { Decoder } from './decoder';
+import { Decoder, Past, Search } from './decoder';
 import { type Out, serve } from './live';
-import { Past } from './past';
 import { findPort } from './portFeed';
-import { Search } from './search';
 import { Tape } from './tape';
 import { TapeIndex } from './tapeIndex';
 
