@@ -157,24 +157,6 @@ export default async function () {
     await until('it is held', async () => !(await locks(page)).includes('held'));
   });
 
-  for (const [browser, lacks] of [
-    ['without wake locks', () => Object.defineProperty(Navigator.prototype, 'wakeLock', { get: () => undefined })],
-    ['that rejects a wake lock', () => Object.defineProperty(Navigator.prototype, 'wakeLock', { get: () => ({ request: () => Promise.reject(new DOMException('low battery', 'NotAllowedError')) }) })],
-  ]) {
-    await check(`a browser ${browser} records all the same`, async (page) => {
-      await page.addInitScript(lacks);
-      await page.reload();
-      await until('no frames come', async () => (await counter(page, 'frames')) > 10);
-      await page.click('#record');
-      await page.evaluate(() => fake.show(false));
-      await page.evaluate(() => fake.show(true));
-      const from = await counter(page, 'frames');
-      await until('no frames come', async () => (await counter(page, 'frames')) > from + 10);
-      assert.ok(bytesIn((await downloaded(page, '#record')).text).length > 200);
-      assert.doesNotMatch(await page.textContent('#verdict-text'), /fault/);
-    });
-  }
-
   await check('another source ends a recording: the file is handed over, not lost', async (page) => {
     await page.click('#record');
     await page.waitForTimeout(300);
