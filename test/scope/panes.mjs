@@ -51,7 +51,7 @@ export default async function () {
     await printing(page, '12.5,80,-3\r\n');
     await connect(page, 'board');
     await reads(page, '#verdict-text', 'Receiving rows from a board.');
-    for (const selector of ['#bars', '#plot', '#intervals-chart']) assert.ok(await shown(page, selector), selector);
+    for (const selector of ['#bars', '#plot']) assert.ok(await shown(page, selector), selector);
     for (const selector of ['.frames', '.losses', '.stick-card', '.indicators', '#indicator-failsafe', '#telemetry', '#calibrate', '#bars .us', '#guide']) {
       await until(`${selector} is not shown`, async () => !(await shown(page, selector)));
     }
@@ -79,10 +79,10 @@ export default async function () {
     const text = await page.$eval('#guide', (guide) => guide.innerText);
     assert.match(text, /S-BUS_OUT.*RXD/);
     assert.doesNotMatch(text, /GP1/);
-    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) assert.equal(await shown(page, selector), false, selector);
+    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.losses']) assert.equal(await shown(page, selector), false, selector);
     await page.evaluate((bytes) => fake.every(9, bytes), frame([1000]));
     await reads(page, '#state', 'Fine');
-    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) await until(`${selector} is not there`, () => shown(page, selector));
+    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.losses']) await until(`${selector} is not there`, () => shown(page, selector));
     assert.equal(await shown(page, '#guide'), false);
   });
 

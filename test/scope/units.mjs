@@ -1,4 +1,4 @@
-// The parts of the page that are no view: the history, the viewport, the statistics and the faults. No browser.
+// The parts of the page that are no view: the history, the viewport, the losses and the faults. No browser.
 //   node units.mjs [SEED]
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -10,7 +10,7 @@ const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
 const { EnvelopeIndex } = await load('worker/envelope');
 const { EnvelopeStrokes, SampleStrokes } = await load('view/strokes');
-const { intervals, losses } = await load('statistics');
+const { losses } = await load('view/losses');
 const { Fault } = await load('messages');
 const { FaultIndex } = await load('worker/faultIndex');
 const { gapOf } = (await new Native().load()).wasm;
@@ -48,12 +48,9 @@ check('a full history forgets the oldest samples, and finds the sample nearest t
   assert.equal(new History().nearest(1), 0);
 });
 
-check('the statistics of a full history are those of the samples that it still has', () => {
+check('the losses of a full history are those of the samples that it still has', () => {
   const extra = 1000;
   const history = filled(History.capacity + extra, (i) => (i < extra ? 12 : i % 10 === 0 ? 4 : 0), (i) => (i < extra ? 50000 * i : 50000 * extra + 9000 * (i - extra)));
-  const { count, medianUs, longestUs, bins, shorter, longer } = intervals(history);
-  assert.deepEqual([count, medianUs, longestUs, shorter, longer], [History.capacity - 1, 9000, 9000, 0, 0]);
-  assert.equal(bins.reduce((sum, each) => sum + each), History.capacity - 1);
   const { parts, all } = losses(history, history.time(history.end - 1));
   assert.deepEqual(all, { frames: History.capacity, lost: Math.ceil(History.capacity / 10), failsafe: 0 });
   assert.ok(parts.length <= 60 && parts.length > 20, `${parts.length}`);

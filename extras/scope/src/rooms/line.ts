@@ -16,7 +16,7 @@ import { CountersView } from '../view/counters';
 import { Curves } from '../view/curves';
 import { FramesView } from '../view/frames';
 import { LinkView } from '../view/link';
-import { StatisticsView } from '../view/statistics';
+import { LossesView } from '../view/losses';
 import { SticksView } from '../view/sticks';
 import { TelemetryView } from '../view/telemetry';
 import { TriggerView } from '../view/trigger';
@@ -43,7 +43,7 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
   const bars = new Bars(core, channels, () => choice.current?.line);
   const sticks = new SticksView(core);
   const counters = new CountersView();
-  const statistics = new StatisticsView(history);
+  const losses = new LossesView(history);
   byId('reset-marks').addEventListener('click', () => choice.current?.line.ask({ kind: 'resetMarks' }));
 
   const views: Room['views'] = {
@@ -55,7 +55,7 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
     'The view of the telemetry': ({ source }) => telemetry.draw(source.line.picture.telemetry),
     'The view of the curves': ({ source, nowUs, status, unit }) => curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
     'The trigger': ({ nowUs }) => trigger.draw(nowUs),
-    'The view of the intervals': ({ nowUs }) => statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
+    'The view of the losses': ({ nowUs }) => losses.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
     'The view of the bytes': () => frames.draw(),
   };
 
