@@ -37,23 +37,6 @@ TEST_CASE("a byte order mark before a text is no error") {
   CHECK(line::isCsvText(Mark + "1,2\n1,2\n"));
 }
 
-TEST_CASE("bookmarks are comments, and the last list of them counts") {
-  const auto bookmarksIn = [](const std::string &text) {
-    const Recording recording = line::parseRecording(text);
-    CHECK(recording.error.empty());
-    CHECK(recording.characters.size() == 1);
-    std::string all;
-    for (const line::Bookmark &bookmark : recording.bookmarks) {
-      all += std::to_string(bookmark.us) + ":" + bookmark.name + ";";
-    }
-    return all;
-  };
-  CHECK(bookmarksIn("# bookmark 7 a  b \n120 0F\n# bookmark 90 \r\n# bookmark 80 c") == "7:a  b;90:;80:c;");
-  CHECK(bookmarksIn("120 0F\n# bookmarks\n# bookmark 7 a\n# bookmarks\n# bookmark 8 b\n") == "8:b;");
-  CHECK(bookmarksIn("120 0F\n# bookmark 7 a\n# bookmarks\n").empty());
-  CHECK(bookmarksIn("120 0F\n# bookmark x a\n#bookmark 7 a\n# a bookmark 7 a\n# bookmark\n").empty());
-}
-
 TEST_CASE("a board's line may have any baud rate") {
   CHECK(line::settingsIn("# 9600 baud, 8N1\n").baud == 9600);
   CHECK(line::settingsIn("# 9600 baud, 8N1\n").format == line::csvSettings().format);
@@ -85,7 +68,7 @@ TEST_CASE("rows without times come five times a second, rows with times at those
 
 TEST_CASE("a recording that begins below 0 keeps its times, and what is written of it has them again") {
   const std::string text = "# 100000 baud, 8E2, inverted\n-9380 0F E3\n-380 0F\n8620 1F!\n";
-  const line::Recording recording = line::parseRecording(text + "# bookmark -5000 stall\n");
+  const line::Recording recording = line::parseRecording(text);
   CHECK(recording.error == "");
   CHECK(recording.zeroUs == -9380 - 120);
   line::RecordingWriter writer;
@@ -96,8 +79,6 @@ TEST_CASE("a recording that begins below 0 keeps its times, and what is written 
   }
   writer.finish();
   CHECK(writer.take() == text);
-  REQUIRE(recording.bookmarks.size() == 1);
-  CHECK(recording.bookmarks[0].us == -5000);
   CHECK(line::parseRecording("0 0F\n").zeroUs == 0);
   CHECK(line::parseRecording("-100 0F\n-300 0F\n").error ==
         "time -300 is too early: the previous character was complete at -100 us, and each takes 120 us");

@@ -127,54 +127,6 @@ export default async function () {
     }
   });
 
-  // Returns 'held' or 'released' for each wake lock that the page ever had.
-  const locks = (page) => page.evaluate(() => String(fake.locks.map(({ released }) => (released ? 'released' : 'held'))));
-  const lockedAs = (page, expected) => until(async () => `${await locks(page)}, not ${expected}`, async () => (await locks(page)) === expected);
-
-  await check('the PC stays awake while it records, also after the page was hidden, and no longer', async (page) => {
-    await until('no frames come', async () => (await counter(page, 'frames')) > 10);
-    await page.evaluate(() => fake.show(false));
-    await page.evaluate(() => fake.show(true));
-    await page.click('#record');
-    await lockedAs(page, 'held');
-    await page.evaluate(() => fake.show(false));
-    await lockedAs(page, 'released');
-    await page.evaluate(() => {
-      fake.show(true);
-      fake.show(false); // before it has a lock
-      fake.show(true);
-    });
-    await lockedAs(page, 'released,held');
-    await page.click('#record');
-    await lockedAs(page, 'released,released');
-    await page.click('#record');
-    await page.click('#record'); // perhaps before it has a lock
-    await until('it is held', async () => /^released,released(,released)?$/.test(await locks(page)));
-    await page.evaluate(() => fake.show(true));
-    await page.click('#record');
-    await until('it is not held', async () => /^[^h]*,held$/.test(await locks(page)));
-    await page.click('#source-simulated'); // which ends the recording
-    await until('it is held', async () => !(await locks(page)).includes('held'));
-  });
-
-  for (const [browser, lacks] of [
-    ['without wake locks', () => Object.defineProperty(Navigator.prototype, 'wakeLock', { get: () => undefined })],
-    ['that rejects a wake lock', () => Object.defineProperty(Navigator.prototype, 'wakeLock', { get: () => ({ request: () => Promise.reject(new DOMException('low battery', 'NotAllowedError')) }) })],
-  ]) {
-    await check(`a browser ${browser} records all the same`, async (page) => {
-      await page.addInitScript(lacks);
-      await page.reload();
-      await until('no frames come', async () => (await counter(page, 'frames')) > 10);
-      await page.click('#record');
-      await page.evaluate(() => fake.show(false));
-      await page.evaluate(() => fake.show(true));
-      const from = await counter(page, 'frames');
-      await until('no frames come', async () => (await counter(page, 'frames')) > from + 10);
-      assert.ok(bytesIn((await downloaded(page, '#record')).text).length > 200);
-      assert.doesNotMatch(await page.textContent('#verdict-text'), /fault/);
-    });
-  }
-
   await check('another source ends a recording: the file is handed over, not lost', async (page) => {
     await page.click('#record');
     await page.waitForTimeout(300);

@@ -1,6 +1,6 @@
-// Places to look from: what stands where at four sizes, panes that change their size, and only what a source has.
+// Places to look from: what stands where at three sizes, and only what a source has.
 import assert from 'node:assert/strict';
-import { check, codes, connect, downloaded, drawn, frame, opensWith, reads, recorded, seek, toEnd, until } from './support.mjs';
+import { check, codes, connect, drawn, frame, opensWith, reads, recorded, seek, toEnd, until } from './support.mjs';
 
 const boxOf = (page, selector) => page.$eval(selector, (element) => {
   const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
@@ -47,60 +47,11 @@ export default async function () {
     assert.ok(height < 3370, `the page is ${height} px high`);
   }, phone);
 
-  const heightOf = (page) => boxOf(page, '#plot').then(({ height }) => Math.round(height));
-  await check('the curves become higher by a drag and by keys, and the browser remembers it', async (page) => {
-    await reads(page, '#state', 'Fine');
-    const usual = await heightOf(page);
-    const { left, top } = await boxOf(page, '#split-curves');
-    await page.mouse.move(left + 50, top + 5);
-    await page.mouse.down();
-    await page.mouse.move(left + 50, top + 65, { steps: 4 });
-    await page.mouse.up();
-    assert.equal(await heightOf(page), usual + 60);
-    await page.mouse.move(left + 50, top + 200);
-    assert.equal(await heightOf(page), usual + 60, 'it goes on without a button');
-    await page.focus('#split-curves');
-    await page.keyboard.press('ArrowDown');
-    assert.equal(await heightOf(page), usual + 76);
-    await until('its value is not told', async () => Number(await page.getAttribute('#split-curves', 'aria-valuenow')) === usual + 76);
-    await page.reload();
-    await reads(page, '#state', 'Fine');
-    assert.equal(await heightOf(page), usual + 76);
-    await page.focus('#split-curves');
-    await page.keyboard.press('Home');
-    assert.equal(await heightOf(page), 160);
-    await page.keyboard.press('Enter');
-    assert.equal(await heightOf(page), usual);
-    await page.reload();
-    assert.equal(await heightOf(page), usual);
-  });
-
-  await check('the channels become wider, and leave the curves less', async (page) => {
-    await reads(page, '#state', 'Fine');
-    const before = [await boxOf(page, '#channels'), await boxOf(page, '#plot')];
-    await page.focus('#split-channels');
-    for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
-    const after = [await boxOf(page, '#channels'), await boxOf(page, '#plot')];
-    assert.equal(Math.round(after[0].width - before[0].width), 80);
-    assert.equal(Math.round(before[1].width - after[1].width), 80);
-    await page.dblclick('#split-channels', { position: { x: 8, y: 10 } });
-    assert.equal((await boxOf(page, '#channels')).width, before[0].width);
-  });
-
-  await check('a size that is stored, but senseless, is not taken', async (page) => {
-    for (const [kept, height] of [['99999', 1200], ['-5', undefined], ['wide', undefined]]) {
-      await page.evaluate((px) => localStorage.setItem('sbus-scope-curves', px), kept);
-      await page.reload();
-      await reads(page, '#state', 'Fine');
-      assert.equal(await heightOf(page), height ?? 900 - 35 * 16);
-    }
-  });
-
   await check('a board that prints plain numbers shows no flags, no bytes, no sticks', async (page) => {
     await printing(page, '12.5,80,-3\r\n');
     await connect(page, 'board');
     await reads(page, '#verdict-text', 'Receiving rows from a board.');
-    for (const selector of ['#bars', '#plot', '#intervals-chart']) assert.ok(await shown(page, selector), selector);
+    for (const selector of ['#bars', '#plot']) assert.ok(await shown(page, selector), selector);
     for (const selector of ['.frames', '.losses', '.stick-card', '.indicators', '#indicator-failsafe', '#telemetry', '#calibrate', '#bars .us', '#guide']) {
       await until(`${selector} is not shown`, async () => !(await shown(page, selector)));
     }
@@ -128,10 +79,10 @@ export default async function () {
     const text = await page.$eval('#guide', (guide) => guide.innerText);
     assert.match(text, /S-BUS_OUT.*RXD/);
     assert.doesNotMatch(text, /GP1/);
-    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) assert.equal(await shown(page, selector), false, selector);
+    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.losses']) assert.equal(await shown(page, selector), false, selector);
     await page.evaluate((bytes) => fake.every(9, bytes), frame([1000]));
     await reads(page, '#state', 'Fine');
-    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) await until(`${selector} is not there`, () => shown(page, selector));
+    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.losses']) await until(`${selector} is not there`, () => shown(page, selector));
     assert.equal(await shown(page, '#guide'), false);
   });
 
@@ -168,7 +119,7 @@ export default async function () {
     }
   });
 
-  await check('no time is negative: not on the curves, not in the picture', async (page) => {
+  await check('no time on the curves is negative', async (page) => {
     await page.addInitScript(() => {
       const write = CanvasRenderingContext2D.prototype.fillText;
       globalThis.written = [];
@@ -181,9 +132,6 @@ export default async function () {
     await reads(page, '#state', 'Fine');
     await until('nothing is written', () => page.evaluate(() => globalThis.written.includes('0 s')));
     assert.deepEqual(await page.evaluate(() => globalThis.written.filter((text) => /^-.* s$/.test(text))), []);
-    const { text } = await downloaded(page, '#picture');
-    assert.match(text, />0 s</);
-    assert.doesNotMatch(text, />-[\d.]+ s</);
   });
 
   await check('a frame that is there at once needs no guide', async (page) => {

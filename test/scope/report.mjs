@@ -150,7 +150,7 @@ export default async function () {
     await known(page);
     await page.click('#fault-counts li:nth-child(4) button');
     assert.equal(await page.textContent('#fault-counts [aria-pressed="true"]'), 'lost frames: 2 ×');
-    assert.deepEqual(await page.$$eval('#strip path:not(.bookmark)', (all) => all.map((each) => getComputedStyle(each).display !== 'none')), [false, false, true, false, false, false]);
+    assert.deepEqual(await page.$$eval('#strip path', (all) => all.map((each) => getComputedStyle(each).display !== 'none')), [false, false, true, false, false, false]);
     await page.focus('#plot');
     await page.evaluate(() => document.querySelector('#play').textContent === 'Pause' && document.querySelector('#play').click());
     await page.fill('#position', '0');

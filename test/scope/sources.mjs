@@ -43,7 +43,7 @@ Object.defineProperty(globalThis, 'navigator', { value: { serial: fake.serial },
 
 const { Choice } = await load('source/choice');
 const { PortFeed } = await load('worker/portFeed');
-const { pickPort } = await load('source/pick');
+const { pickPort } = await load('source/device');
 
 // One visit to the page: what was chosen when, and what came.
 class Visit {
@@ -220,36 +220,6 @@ process.on('unhandledRejection', (error) => {
   console.log(`FAILED scope: ${sentence}: not caught: ${error?.stack ?? JSON.stringify(error)}`);
   process.exit(1);
 });
-// Two lines on two like adapters, which a hub takes away and brings back: the second one comes before the first is open again.
-async function replugBoth() {
-  const ports = [fake.newPort(), fake.newPort()];
-  const heard = [0, 0];
-  ports.forEach((port) => (port.permitted = true));
-  const feeds = ports.map((port, i) => new PortFeed({ openPort() {}, receivedBad() {}, received: (bytes) => (heard[i] += bytes.length) }, port, false, 0));
-  await turnTo(now + 1000);
-  ports.forEach((port) => port.unplug());
-  await turnTo(now + 3000);
-  for (const [i, port] of ports.entries()) {
-    ports[i] = port.plug();
-    await turnTo(now + 20);
-  }
-  await turnTo(now + 5000);
-  feeds[0].replugged(ports[1]); // chosen by mistake
-  await turnTo(now + 5000);
-  assert.deepEqual(ports.map(({ isLocked }) => isLocked), [true, true]);
-  ports.forEach((port, i) => port.feed(new Array(i + 1).fill(0)));
-  await settled();
-  assert.deepEqual(heard, [1, 2]);
-  feeds.forEach((feed) => feed.close());
-  await turnTo(now + 1000);
-  assert.ok(ports.every(({ isOpen }) => !isOpen));
-}
-const ofBoth = 'two like adapters that are unplugged at once and plugged in again: each line has one';
-await replugBoth().then(() => console.log(`ok scope: ${ofBoth}`), (error) => {
-  console.log(`FAILED scope: ${ofBoth}: ${error.stack}`);
-  process.exit(1);
-});
-
 let onPorts = 0;
 for (let seed = firstSeed; seed < firstSeed + seeds; seed++) {
   const visit = new Visit(seed);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, fingers, frame, play, playPaused, reads, recorded, seek, until } from './support.mjs';
+import { build, check, frame, play, playPaused, reads, recorded, seek, until } from './support.mjs';
 
 // A minute of frames, 10 ms apart, and the faults in it: [what, from, to], in ms, at ends of frames. A line of recorded() ends
 // 2.88 ms after its time.
@@ -103,20 +103,6 @@ export default async function () {
     await reads(page, '#fault-announcement[role="status"]', told(expected[0], 0));
   });
 
-  await check('from any place the next fault is the first after it, and the one before begins before it', async (page) => {
-    await playPaused(page, file);
-    await decoded(page);
-    for (const [ms, next, before] of [[7000, 2, 1], [21000, 4, 3], [30050, 5, 4], [49999, 7, 6]]) {
-      await seek(page, ms);
-      await page.click('#fault-next');
-      await reads(page, '#fault-text', told(expected[next], next));
-      await seek(page, ms);
-      await reads(page, '#fault-text', '');
-      await page.click('#fault-back');
-      await reads(page, '#fault-text', told(expected[before], before));
-    }
-  });
-
   await check('the more of a time is damaged, the higher it stands on the strip', async (page) => {
     const isBad = (i) => i === 1000 || (i >= 3000 && i < 3010) || (i >= 5000 && i < 5050);
     await play(page, 'damage.txt', Array.from({ length: 6000 }, (_, i) => recorded(10000 * (i + 1), frame([1000])).replace(/\n$/, isBad(i) ? '!\n' : '\n')).join(''));
@@ -173,17 +159,6 @@ export default async function () {
     await page.keyboard.press('p');
     await reads(page, '#fault-text', told(expected[7], 7));
   });
-
-  await check('a finger on the strip seeks', async (page) => {
-    await playPaused(page, file);
-    await page.locator('.strip').scrollIntoViewIfNeeded();
-    const box = await page.locator('.strip').boundingBox();
-    const { put, move, lift } = await fingers(page);
-    await put([box.x + 0.2 * box.width, box.y + 10]);
-    for (let i = 1; i <= 10; i++) await move([box.x + (0.2 + 0.05 * i) * box.width, box.y + 10]);
-    await lift();
-    await until(async () => `${await positionMs(page)} ms`, async () => Math.abs((await positionMs(page)) - 42000) < 300);
-  }, { size: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
 
   await check('seeking and playing clear the text of the fault; N in the list of speeds is a letter', async (page) => {
     await playPaused(page, file);

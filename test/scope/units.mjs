@@ -1,4 +1,4 @@
-// The parts of the page that are no view: the history, the viewport, the statistics and the faults. No browser.
+// The parts of the page that are no view: the history, the viewport, the losses and the faults. No browser.
 //   node units.mjs [SEED]
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -9,12 +9,10 @@ import { Native } from './native.mjs';
 const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
 const { EnvelopeIndex } = await load('worker/envelope');
-const { EnvelopeStrokes } = await load('view/strokes');
-const { intervals, losses } = await load('statistics');
+const { EnvelopeStrokes, SampleStrokes } = await load('view/strokes');
+const { losses } = await load('view/losses');
 const { Fault } = await load('messages');
 const { FaultIndex } = await load('worker/faultIndex');
-const { withoutList } = await load('bookmarks');
-const { tidied } = await load('text');
 const { gapOf } = (await new Native().load()).wasm;
 
 const seed = Number(process.argv[2] ?? 20181);
@@ -50,12 +48,9 @@ check('a full history forgets the oldest samples, and finds the sample nearest t
   assert.equal(new History().nearest(1), 0);
 });
 
-check('the statistics of a full history are those of the samples that it still has', () => {
+check('the losses of a full history are those of the samples that it still has', () => {
   const extra = 1000;
   const history = filled(History.capacity + extra, (i) => (i < extra ? 12 : i % 10 === 0 ? 4 : 0), (i) => (i < extra ? 50000 * i : 50000 * extra + 9000 * (i - extra)));
-  const { count, medianUs, longestUs, bins, shorter, longer } = intervals(history);
-  assert.deepEqual([count, medianUs, longestUs, shorter, longer], [History.capacity - 1, 9000, 9000, 0, 0]);
-  assert.equal(bins.reduce((sum, each) => sum + each), History.capacity - 1);
   const { parts, all } = losses(history, history.time(history.end - 1));
   assert.deepEqual(all, { frames: History.capacity, lost: Math.ceil(History.capacity / 10), failsafe: 0 });
   assert.ok(parts.length <= 60 && parts.length > 20, `${parts.length}`);
@@ -113,12 +108,34 @@ check('a recording can be shown from end to end, and its edge stays within it', 
   });
   assert.deepEqual(walk(-1, 10).slice(4), [[240, 100], [480, 480], [960, 960], [1920, 1920], [3600, 3600], [3600, 3600]]);
   for (let i = 0; i < 1000; i++) {
-    [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.place(4000 * random(), random())][i % 3]();
+    [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.centre(4000 * random())][i % 3]();
     assert.ok(view.edge <= 3600 && view.seconds <= 3600 && (!view.isWide || view.begin >= -1e-9), `${view.begin} to ${view.edge}`);
     assert.equal(view.isAway, view.edge > 100.001);
   }
   view.follow(100, 0);
   assert.equal(view.seconds <= 240, true);
+});
+
+check('a curve has each value in its place, and breaks at a silence and where a sensor measures nothing; failsafe and losses are bands', () => {
+  const history = new History();
+  const values = Array.from({ length: 400 }, (_, i) => (37 * i) % 1000);
+  const timeOf = (i) => i * 10000 + (i >= 200 ? 500000 : 0);
+  values.forEach((value, i) => history.add({ endUs: timeOf(i), flags: i >= 40 && i < 50 ? 8 : i >= 50 && i < 60 ? 4 : 0, channels: [7, i === 300 ? NaN : value], readings: [] }));
+  const area = { left: 100, top: 20, width: 450, height: 1000, edge: 4.5, seconds: 4.5, begin: 0, end: 400 };
+  const strokes = new SampleStrokes(history);
+  const trace = (column) => {
+    const [moves, points] = [[], []];
+    strokes.trace({ column, unit: { low: 0, high: 1000 } }, area, 0.1, { moveTo: (x, y) => moves.push(x) && points.push([x, y]), lineTo: (x, y) => points.push([x, y]) });
+    return { moves, points };
+  };
+  const xOf = (i) => Math.round(100 + timeOf(i) / 10000);
+  const { moves, points } = trace(1);
+  assert.deepEqual(moves, [xOf(0), xOf(200), xOf(301)]);
+  assert.deepEqual(points, values.map((value, i) => [xOf(i), 1020 - value]).filter((_, i) => i !== 300));
+  assert.deepEqual(trace(0).points, [0, 199, 200, 399].map((i) => [xOf(i), 1013])); // a stroke for all of one height
+  const bands = [];
+  strokes.bands(area, (x, width, failsafe) => bands.push([Math.round(x), Math.round(width), failsafe]));
+  assert.deepEqual(bands, [[xOf(40), 10, true], [xOf(50), 10, false]]);
 });
 
 check('the envelope of a recording has the least and the greatest value of each column of pixels, and its silences', () => {
@@ -221,32 +238,6 @@ check('bytes without any frame are the fault "no frames", from the first to the 
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
 });
-
-check('a name has no control characters, and no character of it is cut', () => {
-  const family = '\u{1F468}\u200D\u{1F469}\u200D\u{1F467}'; // 8 units, one character
-  for (const [name, most, kept] of [
-    ['  take  off\t1\n', 60, 'take off 1'], ['a\0b\x1b[1m\u0085c', 60, 'a b [1m c'], ['\0', 60, ''], ['x'.repeat(70), 60, 'x'.repeat(60)],
-    [`${'x'.repeat(59)}\u{1F600}`, 60, 'x'.repeat(59)], [`${'x'.repeat(58)}\u{1F600}`, 60, `${'x'.repeat(58)}\u{1F600}`],
-    [`${'x'.repeat(55)}${family}`, 60, 'x'.repeat(55)], [`e\u0301`.repeat(10), 5, 'e\u0301e\u0301'],
-  ]) {
-    assert.equal(tidied(name, most), kept);
-  }
-});
-
-const utf16 = (text, isBig) => Buffer.from(Buffer.from(`\ufeff${text}`, 'utf16le').map((_, i, all) => all[isBig ? i ^ 1 : i]));
-for (const [what, before, after] of [
-  ['a list', '5 0F\n# bookmarks\n# bookmark 1 a\n', '5 0F\n'],
-  ['three lists, as older pages saved them', '5 0F\n\n# bookmarks\n# bookmark 1 a\n\n# bookmarks\n\n# bookmarks\r\n# bookmark 2 b\r\n', '5 0F\n\n'],
-  ['a list that is not at the end', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n', '5 0F\n# bookmarks\n# bookmark 1 a\n9 0F\n'],
-  ['a comment that looks like one', '# about # bookmarks\n5 0F\n# so # bookmarks', '# about # bookmarks\n5 0F\n# so # bookmarks\n'],
-  ['no line end', '5 0F', '5 0F\n'],
-  ['nothing but a list', '# bookmarks\n# bookmark 1 a \u{1F600}', '\n'],
-  ['UTF-16', utf16('5 0F\n# bookmarks\n# bookmark 1 \u{1F600}\n', false), '5 0F\n'],
-  ['UTF-16, big-endian', utf16('5 0F\n', true), '5 0F\n'],
-]) {
-  const kept = await new Blob(await withoutList(new Blob([before]))).text();
-  check(`a recording with ${what} is saved without a list at its end, and with a line end`, () => assert.equal(kept, after));
-}
 
 check('no module of the page needs itself, also not for a type; what page and worker tell each other needs only the border', () => {
   const modules = readdirSync(sources, { recursive: true }).filter((name) => /(?<!\.d)\.ts$/.test(name)).map((name) => name.slice(0, -3));

@@ -1,5 +1,5 @@
 // What the page finds on each line of verdicts/LINES, on which `sbus doctor` and the sketch Diagnose are also tested. This calls
-// the library as src/doctor.ts does: the settings of a port one after the other, unless frames come.
+// the library as src/worker/trials.ts does: the settings of a port one after the other, unless frames come.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';

@@ -141,28 +141,14 @@ void Comparison::end(size_t side) {
   if (!_counts.first) {
     _counts.first = Difference{span.fromUs, "", 1 - side, {}};
   }
-  count(_counts, span);
-  _tell(span);
-}
-
-void Comparison::count(Counts &counts, const LostSpan &span) {
-  counts.lost[span.side] += span.frames;
-  counts.spans[span.side]++;
-  std::vector<LostSpan> &longest = counts.longest[span.side];
+  _counts.lost[span.side] += span.frames;
+  _counts.spans[span.side]++;
+  std::vector<LostSpan> &longest = _counts.longest[span.side];
   longest.push_back(span);
   std::stable_sort(longest.begin(), longest.end(),
                    [](const LostSpan &a, const LostSpan &b) { return a.frames > b.frames; });
   longest.resize(std::min(longest.size(), LongestMost));
-}
-
-Comparison::Counts Comparison::soFar() const {
-  Counts counts = _counts;
-  for (const std::optional<Span> &open : _open) {
-    if (open) {
-      count(counts, open->span);
-    }
-  }
-  return counts;
+  _tell(span);
 }
 
 std::string Comparison::rates() const {

@@ -65,9 +65,6 @@ class Comparison {
 
   const Counts &counts() const { return _counts; }
 
-  // Returns the counts with what is being lost, while both go on.
-  Counts soFar() const;
-
   // Return why frames may differ, in a sentence, or "": "A sends every 9.00 ms, B every 14.00 ms: ..."; of receivers
   // that scale the sticks differently the first channel with other ends, if hardly any frames are alike.
   std::string rates() const;
@@ -94,7 +91,6 @@ class Comparison {
   void takeBack();
   void lose(size_t side, int64_t us, bool isMissing);
   void end(size_t side);
-  static void count(Counts &counts, const LostSpan &span);
 
   const std::function<void(const LostSpan &)> _tell;
   Aligner _aligner;

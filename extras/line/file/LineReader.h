@@ -8,10 +8,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "line/Line.h"
-#include "line/recording/Recording.h"
 
 namespace line {
 
@@ -37,9 +35,6 @@ class LineReader {
 
   // Returns true if the text itself has said that this is its end.
   virtual bool isComplete() const { return false; }
-
-  // Returns a recording's bookmarks, after its end; nullptr for other texts.
-  virtual const std::vector<Bookmark> *bookmarks() const { return nullptr; }
 
   // Returns true if it takes a file's bytes as they are, in pieces, instead of lines of text.
   virtual bool takesBytes() const { return false; }

@@ -7,9 +7,6 @@
 //                          lie between them
 //
 // The times of a capture's recording begin below 0 if the capture begins before its trigger.
-//
-//   # bookmarks            begins a new list of bookmarks, which replaces earlier ones
-//   # bookmark 16120 stall
 #pragma once
 
 #include <algorithm>
@@ -87,18 +84,11 @@ class Characters {
   std::deque<Late> _late;        // an entry for each change
 };
 
-// A named moment.
-struct Bookmark {
-  int64_t us;  // in the file's time
-  std::string name;
-};
-
 struct Recording {
   Characters characters;
-  std::vector<Bookmark> bookmarks;  // in the file's order
-  int64_t zeroUs = 0;               // the file's time from which the characters' times count; not above 0
-  std::string error;                // what is wrong and what is expected; otherwise empty
-  unsigned errorLine = 0;           // its line, counted from 1; 0 for the recording as a whole
+  int64_t zeroUs = 0;      // the file's time from which the characters' times count; not above 0
+  std::string error;       // what is wrong and what is expected; otherwise empty
+  unsigned errorLine = 0;  // its line, counted from 1; 0 for the recording as a whole
 };
 
 constexpr size_t RecordingLineMax = 4096;                                     // characters of text

@@ -29,18 +29,6 @@ bool parseCharacter(std::string_view word, Character &character) {
 
 }  // namespace
 
-// Takes a comment without its #. Only bookmarks have a meaning.
-void RecordingReader::comment(std::string_view text) {
-  const std::string_view word = takeWord(text);
-  Bookmark bookmark{};
-  if (word == "bookmarks") {
-    _bookmarks.clear();
-  } else if (word == "bookmark" && parseTime(takeWord(text), bookmark.us)) {
-    bookmark.name = withoutBlanks(text);
-    _bookmarks.push_back(std::move(bookmark));
-  }
-}
-
 std::string RecordingReader::line(std::string_view text, std::deque<Character> &characters) {
   const std::string wrong = take(text, characters);
   if (!wrong.empty()) {
@@ -62,7 +50,6 @@ std::string RecordingReader::take(std::string_view text, std::deque<Character> &
   }
   const std::string_view timeWord = takeWord(text);
   if (timeWord.empty() || timeWord.front() == '#') {
-    comment(timeWord == "#" ? text : "");
     return {};
   }
   Character character;
@@ -164,7 +151,6 @@ Recording parseRecording(std::string_view text, uint32_t characterUs) {
   }
   recording.errorLine = recording.error.empty() ? 0 : number;
   recording.error = recording.error.empty() ? reader.finish(came) : recording.error;
-  recording.bookmarks = *reader.bookmarks();
   recording.zeroUs = reader.zeroUs();
   return recording;
 }

@@ -3,10 +3,10 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "line/file/LineReader.h"
 #include "line/recording/LateReads.h"
+#include "line/recording/Recording.h"
 
 namespace line {
 
@@ -22,10 +22,8 @@ class RecordingReader : public LineReader {
   std::string line(std::string_view text, std::deque<Character> &characters) override;
   std::string finish(std::deque<Character> &characters) override;
   std::string news() override;
-  const std::vector<Bookmark> *bookmarks() const override { return &_bookmarks; }
 
  private:
-  void comment(std::string_view text);
   std::string take(std::string_view text, std::deque<Character> &characters);
 
   const uint32_t _characterUs;
@@ -36,7 +34,6 @@ class RecordingReader : public LineReader {
   bool _isFirst = true;  // the next line is
   bool _hasEnded = false;
   unsigned long _nuls = 0;
-  std::vector<Bookmark> _bookmarks;
 };
 
 // The rows come every 200 ms, as the examples print them, or at the times in their first column, if its name is "time"

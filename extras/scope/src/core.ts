@@ -2,8 +2,7 @@
 
 import wasm from '../scope.wasm.gz';
 import { type CalibrationError, type Exports, type Finding, Flag, Kind, ReadConditionReader, type Scale } from './border';
-import type { Stretch } from './line';
-import { imports, Native } from './native';
+import { imports, Native, type Stretch } from './native';
 import type { SensorType } from './sensors';
 import type { Range } from './unit';
 

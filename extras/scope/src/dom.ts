@@ -45,33 +45,35 @@ export function setAttribute(element: Element, name: string, value: string): voi
   }
 }
 
-// Calls `act` for a key without Ctrl and the like on the curves or the time line, but not in a list, where a letter chooses. It returns
-// false for a key that is not its own.
-export function onKeys(act: (key: string, shift: boolean) => boolean): void {
-  for (const root of [byId('plot'), byId('timeline')]) {
-    root.addEventListener('keydown', (event) => {
-      const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !(event.target instanceof HTMLSelectElement);
-      if (isPlain && act(event.key.toLowerCase(), event.shiftKey)) {
-        event.preventDefault();
-      }
-    });
-  }
-}
-
 export function download(name: string, parts: BlobPart[], type: string): void {
   const url = URL.createObjectURL(new Blob(parts, { type }));
   make('a', { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 
-// Calls `take` with each file that the user chooses.
-export function onFile(id: string, take: (file: File) => Promise<void>): void {
-  const input = byId<HTMLInputElement>(id);
-  input.addEventListener('change', () => {
-    const [file] = input.files ?? [];
-    if (file) {
-      void take(file);
+const standsMs = 700;
+
+// Tells screen readers a text once it has not changed for a moment, and not too soon after the last one.
+export class Announcer {
+  private text = '';
+  private sinceMs = 0;
+  private saidMs = -Infinity;
+
+  constructor(
+    private readonly region: HTMLElement,
+    private readonly restMs = 5000,
+  ) {}
+
+  // Call it for each picture.
+  say(text: string): void {
+    const now = performance.now();
+    if (text !== this.text) {
+      this.text = text;
+      this.sinceMs = now;
     }
-    input.value = '';
-  });
+    if (text !== this.region.textContent && now - this.sinceMs > standsMs && now - this.saidMs > this.restMs) {
+      this.saidMs = now;
+      setText(this.region, text);
+    }
+  }
 }

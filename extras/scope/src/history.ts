@@ -1,7 +1,8 @@
 // The newest values of all channels, in memory of a fixed size: about five minutes of 111 frames a second.
 
-import { Flag, Kind, type Stretch } from './line';
+import { Flag, Kind } from './border';
 import type { Samples } from './messages';
+import type { Stretch } from './native';
 import { firstFrom } from './numbers';
 
 export const keptSeconds = 240; // of a usual line, at least

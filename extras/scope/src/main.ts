@@ -2,13 +2,10 @@
 
 import './style.css';
 import { Core } from './core';
-import { byId, setText } from './dom';
-import { keepOffline } from './offline';
+import { byId, make, setText } from './dom';
 import { scopeOf } from './scope';
 import { CalibrationView } from './view/calibration';
 import { NoticeView } from './view/notice';
-import { splitPanes } from './view/panes';
-import { ScaleView } from './view/scale';
 
 const stays = 'Save the recording, and reload the page.';
 let notice: NoticeView | undefined;
@@ -44,11 +41,23 @@ for (const query of [dark, matchMedia('(forced-colors: active)')]) {
   query.addEventListener('change', () => scope.repaint());
 }
 
-splitPanes();
 void keepOffline();
-const scale = new ScaleView(core);
-const calibration = new CalibrationView(core, () => scale.calibrated());
+const calibration = new CalibrationView(core);
 await scope.begin();
+
+// Where a server has sw.js and manifest.webmanifest beside the page, it can be installed, and opens without the server. The page
+// is complete without them, and requests nothing if it was opened from disk.
+async function keepOffline(): Promise<void> {
+  if (!location.protocol.startsWith('http') || !('serviceWorker' in navigator)) {
+    return;
+  }
+  try {
+    await navigator.serviceWorker.register('sw.js', { updateViaCache: 'none' });
+    document.head.append(make('link', { rel: 'manifest', href: 'manifest.webmanifest' }));
+  } catch {
+    // The server has only the page.
+  }
+}
 
 function picture(): void {
   requestAnimationFrame(picture); // first: a view that throws ends no other picture

@@ -26,12 +26,6 @@ export interface Problem {
 // Of a source or a port: worker/connection.ts.
 export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
 
-// A moment of a line that has a name.
-export interface Bookmark {
-  us: number;
-  name: string;
-}
-
 // Frames or rows, the oldest first.
 export interface Samples {
   times: Float64Array; // s
@@ -57,6 +51,14 @@ export enum Fault {
   NoFrames,
   Late, // the PC was late: what the line did is not known
 }
+
+export const faults = [Fault.Failsafe, Fault.NoPulses, Fault.LostFrame, Fault.Damage, Fault.NoFrames, Fault.Late];
+export const faultNames = ['failsafe', 'no pulses', 'lost frames', 'damaged bytes', 'no frames', 'PC late'];
+
+export const binCount = 512; // of a recording, whatever its length
+
+// Returns the longest time without a frame that is no silence, as for sbus summary; for rows, the time of three of them.
+export const silenceUs = (isRow: boolean, meanUs: number): number => (isRow ? Math.max(1500000, 3 * meanUs) : 100000);
 
 // Where a fault begins and ends; damage in quick succession is one.
 export interface Span {
@@ -99,30 +101,6 @@ export interface Flight {
   strip: FlightPart[];
 }
 
-type Pair = [number, number];
-
-// What a comparison of two lines has found: by WebAssembly, as sbus compare has it. Of a pair, the first is of A.
-export interface Comparison {
-  frames: Pair;
-  alone: Pair; // before the other's first frame, or after its last
-  lost: Pair; // by it: only the other has them, or only it has the flag
-  spans: Pair; // in which these are
-  late: Pair; // not compared: the PC was late, or the delay not known yet
-  longest: [fromUs: number, toUs: number, frames: number][][]; // of them, by who lost them
-  same: number; // frames
-  different: number;
-  delays: number; // frames that have told the delay; 0: it is not known
-  medianUs: number; // the delay: how much later B is
-  leastUs: number;
-  mostUs: number;
-  driftPpm: number; // by which the delay grows
-  atZeroUs: number; // the delay at A's time 0
-  laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
-  evidence: string; // of the delay
-  ends: string; // why frames differ: rates, and ends of channels; or ''
-  areDelaysLate: boolean; // all of them are of frames that came while the PC was late
-}
-
 // Among the ports that this page may use, in the browser's order; a SerialPort cannot be sent to a worker.
 export interface PortPlace {
   index: number;
@@ -140,12 +118,9 @@ export interface Live {
   kind: 'live';
   wasm: Uint8Array;
   opening: Opening;
-  id: number;
-  beside?: number; // the line, open there, with which it is compared
 }
 
-// Asks a worker for a recording, which answers at the port that comes with it; of a capture, by this signal. The second one is compared
-// with the first.
+// Asks a worker for a recording, which answers at the port that comes with it; of a capture, by this signal.
 export interface Open {
   kind: 'open';
   wasm: Uint8Array;
@@ -198,10 +173,9 @@ export interface Picture {
   kind: 'picture';
   id: number; // of the request
   jumped: boolean; // what came before is in it, or follows as the past
-  isPreview?: boolean; // of a place that is not decoded yet: what the status counts, and the link quality, is not known; the picture follows
   us: number;
   status: Status;
-  travel: (Pair | undefined)[]; // by channel: the lowest and highest value
+  travel: ([number, number] | undefined)[]; // by channel: the lowest and highest value
   // The slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a stretch's readings,
   // name, value and unit, with tabs between. Empty without telemetry.
   telemetry: string[];
@@ -216,18 +190,16 @@ export interface Picture {
 
 export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
-  | { kind: 'failed'; error: string; remedy?: string }
-  | { kind: 'refused' } // the worker does not find the port, or the line beside it
+  | { kind: 'failed'; error: string }
+  | { kind: 'refused' } // the worker does not find the port
   // Of a file: what carries the line in a capture; its signals with S.Bus, that one first; what a user should know; what is wrong with its bytes, and what to do; its own time at time 0, not above 0; when time 0 was, in us since
-  // 1970; the bookmarks of a plain text.
-  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; bookmarks?: Bookmark[]; picture: Picture }
+  // 1970.
+  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; picture: Picture }
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
   | { kind: 'envelope'; envelope: Envelope } // once all is decoded, of a long recording
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
-  | { kind: 'compared'; comparison: Comparison } // of a line beside another one; so far, if they are live
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
-  | { kind: 'recording'; us: number } // it has begun: its times count from then
   | { kind: 'recorded'; text: string }; // the end of it

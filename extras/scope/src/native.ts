@@ -1,8 +1,20 @@
 // WebAssembly's memory, as the page and its worker read it.
 
-import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
-import type { Stretch } from './line';
-import type { Answer, Picture } from './messages';
+import { Enough, type Exports, type Finding, Kind, type LinkState, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
+import type { Picture } from './messages';
+
+// A piece of the line: a frame, or the bytes between two.
+export interface Stretch {
+  endUs: number;
+  kind: Kind;
+  flags: number;
+  state: LinkState; // of the link to show, at its end
+  channels: Float64Array; // raw values; of a Row, the numbers as printed
+  readings: Float64Array; // what sensors measured within the last second; NaN: nothing; empty without any
+  bytes: Uint8Array; // empty for a Row
+  isTelemetry: boolean; // slots of S.BUS2, no frame
+  why: string; // why it is no frame; '' for a frame
+}
 
 const channels = 32;
 
@@ -82,13 +94,12 @@ export class Native {
   }
 
   // Begins or ends a recording.
-  record(on: boolean): Answer {
-    const us = this.calls.record(Number(on));
-    return on ? { kind: 'recording', us } : { kind: 'recorded', text: this.recorded() };
+  record(on: boolean): void {
+    this.calls.record(Number(on));
   }
 
   // Returns what was recorded since the last call.
-  private recorded(): string {
+  recorded(): string {
     return this.words(this.calls.takeRecorded());
   }
 

@@ -1,7 +1,8 @@
 // The unit of the channels' numbers: raw values of a frame, or what a sketch prints, whose unit only the user knows.
 
-import { Kind, type Stretch } from './line';
+import { Kind } from './border';
 import type { Envelope } from './messages';
+import type { Stretch } from './native';
 import { roundUp } from './numbers';
 
 export interface Range {

@@ -127,10 +127,9 @@ EXPORT(gapOf)(double beforeUs, double nowUs, double lateUs, double limitUs)->int
   return static_cast<int>(line::gapOf(us(beforeUs), us(nowUs), us(lateUs), us(std::min(limitUs, 1e15))));
 }
 
-// Returns the time from which a recording that begins counts.
-EXPORT(record)(int on)->double {
+// Begins or ends a recording.
+EXPORT(record)(int on)->void {
   shownLine.record(on != 0);
-  return static_cast<double>(shownLine.nowUs());
 }
 
 // Returns what was recorded since the last call.

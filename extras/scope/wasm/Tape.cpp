@@ -94,9 +94,6 @@ std::string finishText() {
   }
   keep();
   tape.zeroUs = reader->zeroUs();
-  if (reader->bookmarks() != nullptr) {
-    tape.bookmarks = *reader->bookmarks();
-  }
   return error.empty() ? "" : name + ": " + error;
 }
 
@@ -202,20 +199,6 @@ EXPORT(endFile)()->const char * {
   }
   words = capture ? finishCapture() : finishText();
   return words.c_str();
-}
-
-// Returns the bookmarks of a recording, a line each: its time in us, a tab and its name.
-EXPORT(bookmarks)()->const char * {
-  words.clear();
-  for (const line::Bookmark &bookmark : tape.bookmarks) {
-    words += std::to_string(bookmark.us - tape.zeroUs) + '\t' + bookmark.name + '\n';
-  }
-  return words.c_str();
-}
-
-// Returns true for a recording, which comments may follow; false for rows of CSV and a capture.
-EXPORT(isRecording)()->int {
-  return reader != nullptr && reader->bookmarks() != nullptr;
 }
 
 // Returns what a user should know of the file, or "".

@@ -1,6 +1,7 @@
 // A part of the page that has to do with the line.
 
-import type { Status, Stretch } from '../line';
+import type { Status } from '../border';
+import type { Stretch } from '../native';
 import type { Source } from '../source/Source';
 import type { Unit } from '../unit';
 

@@ -1,41 +1,64 @@
-// What the user keeps of a line: a recording of it, its bookmarks, its values, a picture.
+// What the user keeps of a line: a recording of it in the project's format, or its values as CSV.
 
-import { Bookmarks } from '../bookmarks';
-import { byId, setText } from '../dom';
-import { Kind } from '../line';
-import { Recorder, saveCsv, savePicture } from '../recorder';
+import { Kind } from '../border';
+import { clock, shownSeconds } from '../clock';
+import { byId, download, setText } from '../dom';
+import type { History } from '../history';
 import type { Choice } from '../source/choice';
-import { RecordingSource } from '../source/recording';
+import type { Remote } from '../source/remote';
 import type { Source } from '../source/Source';
-import { BookmarksView } from '../view/bookmarks';
-import type { NoticeView } from '../view/notice';
 import type { LineRoom } from './line';
 
-export type KeepRoom = ReturnType<typeof keepRoom>;
+const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 
-// `visit`: goes to a time of the line, in us.
-export function keepRoom(choice: Choice<Source>, line: LineRoom, visit: (us: number) => void, notice: NoticeView) {
-  const recorder = new Recorder();
-  const bookmarks = new Bookmarks();
-  // The time that is shown: a recording's position, or the curves' right edge.
-  const shownUs = (): number => (choice.current instanceof RecordingSource ? choice.current.positionUs : line.curves.shownUs[1]);
-  const list = new BookmarksView(bookmarks, shownUs, visit, (problem) => notice.show(problem));
-  // How many bookmarks are lost with the line: the recording that runs, if one does, is saved.
-  const lost = (): number => bookmarks.lost(recorder.on ? choice.current?.line.recordingUs : undefined);
+const stamp = (): string => new Date().toISOString().slice(0, 19).replace(/[-:]/g, '').replace('T', '-');
 
-  // Saves what was recorded.
-  function endRecording(): void {
-    if (recorder.on) {
-      bookmarks.saved(choice.current?.line.recordingUs);
+class Recorder {
+  bytes = 0;
+  private text = '';
+  private parts: Blob[] = [];
+  private line?: Remote; // that is recorded
+
+  get on(): boolean {
+    return this.line !== undefined;
+  }
+
+  // `title`: what is recorded, for the first line.
+  begin(line: Remote, title: string): void {
+    this.line = line;
+    this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
+    this.parts = [];
+    this.bytes = this.text.length;
+    line.ask({ kind: 'record', on: true });
+  }
+
+  // Takes what was recorded. Call it for each picture, and also while none is drawn.
+  poll(): void {
+    const text = this.line?.takeRecorded() ?? '';
+    this.text += text;
+    this.bytes += text.length;
+    if (this.text.length > blobSize) {
+      this.parts.push(new Blob([this.text]));
+      this.text = '';
     }
-    recorder.end(bookmarks.all, choice.current?.line.us ?? 0);
   }
 
-  // Asks the user, if bookmarks would be lost with the line.
-  function mayLeave(): boolean {
-    const count = lost();
-    return count === 0 || confirm(`${count === 1 ? 'A bookmark is' : `${count} bookmarks are`} not saved, and will be lost. Go on?`);
+  // Saves the file once the line has handed over the rest.
+  end(): void {
+    const { line } = this;
+    if (!line) {
+      return;
+    }
+    this.line = undefined;
+    const parts = [...this.parts, this.text];
+    this.parts = [];
+    this.text = '';
+    void line.endRecorded().then((rest) => download(`sbus-${stamp()}.txt`, [...parts, rest], 'text/plain'));
   }
+}
+
+export function keepRoom(choice: Choice<Source>, line: LineRoom) {
+  const recorder = new Recorder();
 
   function draw(): void {
     recorder.poll();
@@ -46,18 +69,35 @@ export function keepRoom(choice: Choice<Source>, line: LineRoom, visit: (us: num
   byId('record').addEventListener('click', () => {
     const { current } = choice;
     if (recorder.on) {
-      endRecording();
+      recorder.end();
     } else if (current) {
       recorder.begin(current.line, current.title);
     }
   });
-  addEventListener('beforeunload', (event) => (recorder.on || lost() > 0) && event.preventDefault());
+  addEventListener('beforeunload', (event) => recorder.on && event.preventDefault());
   byId('csv').addEventListener('click', () => saveCsv(line.history, line.newest?.channels.length ?? 16, line.newest?.kind === Kind.Row));
-  byId('picture').addEventListener('click', () => savePicture(line.curves.svg(choice.current?.title ?? '')));
   return {
-    bookmarks, endRecording, mayLeave,
-    views: { 'The recorder': draw, 'The view of the bookmarks': () => list.draw() },
-    leave: endRecording,
-    enter: (source: Source): void => list.enter(source),
+    // Saves what was recorded.
+    endRecording: () => recorder.end(),
+    views: { 'The recorder': draw },
+    leave: () => recorder.end(),
   };
+}
+
+// Saves all that the history holds, of which the file's name has begin and end, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.
+function saveCsv(history: History, channels: number, isBoard: boolean): void {
+  const numbers = Array.from({ length: channels }, (_, i) => i);
+  const switches = isBoard ? ['switch17', 'switch18'] : channels === 16 ? ['CH17', 'CH18'] : channels === 32 ? ['DG1', 'DG2'] : [];
+  const lines = [['time', ...numbers.map((i) => `CH${i + 1}`), ...switches, 'failsafe', 'lostframe'].join(',')];
+  for (let sample = history.begin; sample < history.end; sample++) {
+    const values = numbers.map((i) => {
+      const value = history.value(sample, i);
+      return Number.isNaN(value) ? '' : +value.toPrecision(7);
+    });
+    const flags = [...history.switches(sample).slice(0, switches.length), Number(history.failsafe(sample)), Number(history.lost(sample))];
+    lines.push([shownSeconds(history.time(sample)).toFixed(6), ...values, ...flags].join(','));
+  }
+  const shortOf = (sample: number): string => clock(1e6 * history.time(sample)).replace(/:(\d+)\..*/, 'm$1s');
+  const ends = history.end > history.begin ? [shortOf(history.begin), shortOf(history.end - 1)] : [];
+  download(`${['sbus', stamp(), ...ends].join('-')}.csv`, [lines.join('\n'), '\n'], 'text/csv');
 }

@@ -1,14 +1,14 @@
 // What is shown of any line: its verdict, its values, its bytes, its curves.
 
-import { Channels } from '../channels';
+import { Kind, LinkState } from '../border';
 import type { Core } from '../core';
-import { verdictOf } from '../doctor';
 import { byId } from '../dom';
 import { History, isSample } from '../history';
-import { Kind, LinkState, type Sink, type Stretch } from '../line';
+import type { Stretch } from '../native';
 import { Sensors } from '../sensors';
 import type { Choice } from '../source/choice';
 import { RecordingSource } from '../source/recording';
+import type { Sink } from '../source/remote';
 import type { Source } from '../source/Source';
 import { Units } from '../unit';
 import { Bars } from '../view/bars';
@@ -16,23 +16,22 @@ import { CountersView } from '../view/counters';
 import { Curves } from '../view/curves';
 import { FramesView } from '../view/frames';
 import { LinkView } from '../view/link';
-import { NamesView } from '../view/names';
-import { StatisticsView } from '../view/statistics';
+import { LossesView } from '../view/losses';
 import { SticksView } from '../view/sticks';
 import { TelemetryView } from '../view/telemetry';
 import { TriggerView } from '../view/trigger';
-import { VerdictView } from '../view/verdict';
+import { VerdictView, verdictOf } from '../view/verdict';
 import type { Room, Shown } from './Room';
 
 export type LineRoom = ReturnType<typeof lineRoom>;
 
 const isTrusted = ({ status: { state } }: Shown): boolean => state === LinkState.Ok || state === LinkState.Lossy;
 
-// `visit`: goes to a time of the line, in us. `seeking`: called before another place of a recording is sought.
+// `visit`: goes to a time of a recording, in us. `seeking`: called before another place of a recording is sought.
 export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number) => void, seeking: () => void) {
   let newest: Stretch | undefined; // frame or row
   const history = new History();
-  const channels = new Channels();
+  const channels = new Set([0, 1, 2, 3]); // that have a curve
   const units = new Units(byId<HTMLSelectElement>('unit'));
   const sensors = new Sensors(core.sensors);
   const curves = new Curves(history, channels, sensors, visit);
@@ -43,22 +42,20 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
   const link = new LinkView();
   const bars = new Bars(core, channels, () => choice.current?.line);
   const sticks = new SticksView(core);
-  const names = new NamesView(channels);
   const counters = new CountersView();
-  const statistics = new StatisticsView(history);
+  const losses = new LossesView(history);
   byId('reset-marks').addEventListener('click', () => choice.current?.line.ask({ kind: 'resetMarks' }));
 
   const views: Room['views'] = {
     'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.picture.live?.note ?? ''),
-    'The view of the link': ({ source, status }) => link.draw(status, newest, source.line.picture.isPreview),
+    'The view of the link': ({ status }) => link.draw(status, newest),
     'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
-    'The view of the names': () => names.draw(newest?.channels.length || 16),
     'The view of the counters': ({ source }) => counters.draw(source.line.picture),
     'The view of the telemetry': ({ source }) => telemetry.draw(source.line.picture.telemetry),
     'The view of the curves': ({ source, nowUs, status, unit }) => curves.draw(nowUs, newest, unit, status.gapMeanUs, source.line.envelope),
     'The trigger': ({ nowUs }) => trigger.draw(nowUs),
-    'The view of the intervals': ({ nowUs }) => statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
+    'The view of the losses': ({ nowUs }) => losses.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
     'The view of the bytes': () => frames.draw(),
   };
 

@@ -4,7 +4,7 @@ import type { Core } from '../core';
 import { byId } from '../dom';
 import type { Problem } from '../messages';
 import type { Choice } from '../source/choice';
-import { type PortKind, pickPort } from '../source/pick';
+import { pickPort, type PortKind } from '../source/device';
 import { PortSource } from '../source/port';
 import { SimulatedSource } from '../source/simulated';
 import type { Source } from '../source/Source';
@@ -17,11 +17,9 @@ import type { Room } from './Room';
 export function liveRoom(core: Core, choice: Choice<Source>, notice: NoticeView): Room & { simulate(): Promise<void> } {
   const known = new KnownPorts(byId('known'), (port, kind) => void open(port, kind));
   const [receiver, fault, baud] = ['receiver', 'fault', 'baud'].map((id) => byId<HTMLSelectElement>(id));
-  let simulated = [receiver.value, fault.value]; // the choices of the simulation that runs, or ran last
 
   async function simulate(): Promise<void> {
-    const chosen = [receiver.value, fault.value];
-    const [receives, fails] = chosen;
+    const [receives, fails] = [receiver.value, fault.value];
     const port = { baud: fails === 'baud' ? 200000 : 100000, inverted: fails !== 'inversion' };
     const simulation = {
       calibration: receives === 'calibration',
@@ -29,18 +27,14 @@ export function liveRoom(core: Core, choice: Choice<Source>, notice: NoticeView)
       noise: { noise: 30, storm: 300 }[fails] ?? 0,
       line: { baud: 100000, inverted: true },
     } as const;
-    const isChosen = await choice.change(async (signal) => {
+    await choice.change(async (signal) => {
       const make = await SimulatedSource.open(core, simulation, port, signal);
       return () => {
-        simulated = chosen;
         const source = make();
         cut(source, fails === 'silent');
         return source;
       };
     });
-    if (!isChosen) {
-      [receiver.value, fault.value] = simulated;
-    }
   }
 
   function cut(source: SimulatedSource, isCut: boolean): void {
@@ -65,7 +59,8 @@ export function liveRoom(core: Core, choice: Choice<Source>, notice: NoticeView)
     const { current } = choice;
     if (current instanceof PortSource && current.isUnplugged && current.isBoard === (kind === 'board') && current.has(port)) {
       await current.replug(port);
-    } else if (await choice.change((signal) => PortSource.open(core, port, kind, Number(baud.value), signal))) {
+    } else {
+      await choice.change((signal) => PortSource.open(core, port, kind, Number(baud.value), signal));
       known.remember(port, kind);
     }
   }

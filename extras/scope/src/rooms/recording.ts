@@ -1,7 +1,7 @@
 // A file that is played: chosen, dropped, or another signal of the same capture; its time line and its wire.
 
 import type { Core } from '../core';
-import { byId, onFile } from '../dom';
+import { byId } from '../dom';
 import type { Problem } from '../messages';
 import type { Choice } from '../source/choice';
 import { RecordingSource } from '../source/recording';
@@ -9,13 +9,12 @@ import type { Source } from '../source/Source';
 import type { NoticeView } from '../view/notice';
 import { Timeline } from '../view/timeline';
 import { WireView } from '../view/wire';
-import type { KeepRoom } from './keep';
 import type { LineRoom } from './line';
 import type { Room } from './Room';
 
-// What it returns goes to a time, in us, and stops there; or returns false if no recording is played.
-export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: LineRoom, keep: KeepRoom, notice: NoticeView): Room & { visit(us: number): boolean } {
-  const timeline = new Timeline(keep.bookmarks, () => keep.endRecording());
+// `seeking`: called before another place is sought. `visit` of what it returns goes to a time, in us, and stops there.
+export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: LineRoom, seeking: () => void, notice: NoticeView): Room & { visit(us: number): void } {
+  const timeline = new Timeline(seeking);
   const wire = new WireView();
   const signal = byId<HTMLSelectElement>('wire-signal');
   const playing = (): RecordingSource | undefined => (choice.current instanceof RecordingSource ? choice.current : undefined);
@@ -32,8 +31,15 @@ export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: Li
     }
   }
 
-  byId('source-recording').addEventListener('click', () => byId('file').click());
-  onFile('file', play);
+  const input = byId<HTMLInputElement>('file');
+  byId('source-recording').addEventListener('click', () => input.click());
+  input.addEventListener('change', () => {
+    const [file] = input.files ?? [];
+    if (file) {
+      void play(file);
+    }
+    input.value = '';
+  });
   onDrop(play, notice);
   signal.addEventListener('change', () => {
     const source = playing();
@@ -76,14 +82,14 @@ function onDrop(take: (file: File) => Promise<void>, notice: NoticeView): void {
     } else if (file) {
       void take(file);
       if (other) {
-        notice.show({ text: `Only ${file.name} is played.`, remedy: 'Drop one file at a time. Compare… shows a second recording beside the first.' });
+        notice.show({ text: `Only ${file.name} is played.`, remedy: 'Drop one file at a time.' });
       }
     }
   });
 }
 
 // Returns what is wrong with a file, from what its reader throws.
-export const unreadable = (error: unknown): Problem =>
+const unreadable = (error: unknown): Problem =>
   !(error instanceof Error) ? (error as Problem) : {
     text: `This cannot be played: ${error.message}.`,
     remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',

@@ -14,12 +14,10 @@ export class Choice<Source extends Chosen> {
   private asking?: AbortController;
   private preparing?: AbortController;
 
-  // `leaving`: called before the running source is closed. `entered`: called with each new one. `mayLeave`: asks the user, if something
-  // would be lost.
+  // `leaving`: called before the running source is closed. `entered`: called with each new one.
   constructor(
     private readonly leaving: () => void,
     private readonly entered: (source: Source) => void,
-    private readonly mayLeave = (): boolean => true,
   ) {}
 
   get state(): State {
@@ -43,11 +41,8 @@ export class Choice<Source extends Chosen> {
   }
 
   // Changes to another source. `prepare` does what takes time, and may throw; `signal` aborts when a later source is chosen. The
-  // function that it returns makes the source, once the running one is closed. Returns false if the user stays.
-  async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<boolean> {
-    if (!this.mayLeave()) {
-      return false;
-    }
+  // function that it returns makes the source, once the running one is closed.
+  async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<void> {
     this.preparing?.abort();
     const { signal } = (this.preparing = new AbortController());
     try {
@@ -62,7 +57,6 @@ export class Choice<Source extends Chosen> {
     } finally {
       this.preparing = signal === this.preparing?.signal ? undefined : this.preparing;
     }
-    return true;
   }
 
   private replace(make: () => Source): void {

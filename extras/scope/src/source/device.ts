@@ -1,4 +1,6 @@
-// The name of a port's device. Web Serial gives only its USB IDs; the names are those of the list of USB IDs (linux-usb.org).
+// A port's device: the browser's dialog, in which the user picks it, and its name. Web Serial gives only its USB IDs; the names are those of the list of USB IDs (linux-usb.org).
+
+import type { Problem } from '../messages';
 
 const vendors: Record<string, string> = {
   '0403': 'FTDI', '0483': 'STMicroelectronics', '067b': 'Prolific', '10c4': 'Silicon Labs', '16c0': 'Teensy', '1a86': 'WCH', '1b4f': 'SparkFun',
@@ -28,4 +30,33 @@ export function deviceName(info: Numbers): string {
 // Returns true for FTDI: most adapters for S.Bus are theirs, since those can invert.
 export function isLikelyAdapter(info: Numbers): boolean {
   return idsOf(info).startsWith('0403');
+}
+
+export type PortKind = 'adapter' | 'board';
+
+const noWebSerial: Problem = {
+  text: 'This browser has no Web Serial.',
+  remedy: 'To read a port, open this page in Chrome, Edge or Firefox (151 or later) on a computer. Or record the port with sbus, and drop the file here.',
+};
+
+// Returns the port that the user picks. Throws a Problem without one.
+export async function pickPort(kind: PortKind): Promise<SerialPort> {
+  if (!navigator.serial) {
+    throw noWebSerial;
+  }
+  try {
+    return await navigator.serial.requestPort();
+  } catch (error) {
+    throw whyNoPort(error as DOMException, kind);
+  }
+}
+
+function whyNoPort({ name, message }: DOMException, kind: PortKind): Problem {
+  if (name === 'NotFoundError') {
+    return { text: 'No port was chosen.', remedy: `Plug the ${kind} in, press the button again, and choose it in the list.` };
+  }
+  return {
+    text: `The browser offers no port: ${message}`,
+    remedy: 'Allow this page to use a port. If the browser refuses because the page was opened from disk, serve it with make scope.',
+  };
 }

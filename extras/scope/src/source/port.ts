@@ -2,8 +2,7 @@
 
 import type { Core } from '../core';
 import type { PortPlace, State } from '../messages';
-import { deviceName, idsOf } from './device';
-import type { PortKind } from './pick';
+import { deviceName, idsOf, type PortKind } from './device';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
@@ -14,10 +13,10 @@ export class PortSource implements Source {
     readonly isBoard: boolean,
   ) {}
 
-  // Returns a function that begins. `baud`: of a board. `beside`: the line with which it is compared.
-  static async open(core: Core, port: SerialPort, kind: PortKind, baud: number, signal: AbortSignal, beside?: Remote): Promise<() => PortSource> {
+  // Returns a function that begins. `baud`: of a board.
+  static async open(core: Core, port: SerialPort, kind: PortKind, baud: number, signal: AbortSignal): Promise<() => PortSource> {
     const isBoard = kind === 'board';
-    const line = await Remote.live(core, { kind: 'port', place: await placeOf(port), isBoard, baud }, signal, port, beside);
+    const line = await Remote.live(core, { kind: 'port', place: await placeOf(port), isBoard, baud }, signal, port);
     return () => new PortSource(line, port, isBoard);
   }
 

@@ -24,7 +24,7 @@ export class RecordingSource implements Source {
 
   // Reads the file; of a capture, one of the signals of `before`, the same capture. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void, wire?: string, before?: RecordingSource): Promise<() => RecordingSource> {
-    const line = await Remote.read(core, { file, wire }, signal, progress);
+    const line = await Remote.read(core, file, wire, signal, progress);
     const { startUs, carrier, note } = line.file;
     const began = startUs === undefined ? '' : `of ${new Date(startUs / 1000).toLocaleString()}`;
     const words = carrier ? [`Capture ${file.name}`, carrier] : [`Recording ${file.name}`, began, note];

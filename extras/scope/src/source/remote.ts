@@ -1,8 +1,8 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
-import type { Sink } from '../line';
-import type { Answer, Comparison, Envelope, FaultMap, Flight, Live, Open, Opening, Picture, Problem, Request, Wire } from '../messages';
+import type { Answer, Envelope, FaultMap, Flight, Live, Open, Opening, Picture, Problem, Request, Samples, Wire } from '../messages';
+import type { Stretch } from '../native';
 import { type Out, serve } from '../worker/live';
 import { findPort } from '../worker/portFeed';
 
@@ -16,15 +16,19 @@ const failed: Problem = {
   remedy: 'The page shows old data. Save the recording, then choose a source again or reload the page.',
 };
 
-const notBeside: Problem = {
-  text: 'The second port cannot be read beside the first.',
-  remedy: 'Open the first port again, then press Compare… again.',
-};
-
 const largest = 2e9; // bytes; a recording has a bound of its own, in hours
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
 type Looked = Omit<Extract<Request, { kind: 'fault' }>, 'id'> | Omit<Extract<Request, { kind: 'event' }>, 'id'>;
+
+// Receives the stretches of a line.
+export interface Sink {
+  take(stretch: Stretch): void;
+  // The line has jumped: all that was taken belongs to another place. `recalled`: the newest stretches before this one.
+  jump(recalled: readonly Stretch[]): void;
+  // Brings the history before the place that the line has jumped to.
+  precede(samples: Samples): void;
+}
 
 // A port to a worker, or to what does its work in the page.
 interface Channel {
@@ -34,8 +38,6 @@ interface Channel {
 
 type Progress = (part: number) => void; // 0..1
 
-let lines = 0;
-
 export class Remote {
   picture: Picture; // the newest one that was taken
   wantedUs = 0; // the position to play to
@@ -43,9 +45,7 @@ export class Remote {
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
   envelope?: Envelope; // of a long one
-  compared?: Comparison; // with the line beside which it is; so far, if they are live
   wire?: Wire; // the part that was asked for last
-  recordingUs = 0; // the line's time from which the newest recording counts
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -60,26 +60,20 @@ export class Remote {
     private readonly core: Core,
     private readonly channel: Channel,
     readonly file: Opened,
-    private readonly thread?: Thread, // none: it is decoded in the page
-    private readonly liveId = 0,
+    thread?: Thread, // none: it is decoded in the page
   ) {
     this.picture = file.picture;
     channel.onmessage = ({ data }): void => this.hear(data);
     void thread?.broken.then(() => this.fail());
   }
 
-  // Reads the file; of a capture, the signal `wire`; `beside`: the recording with which it is compared. Throws an Error that says what is
-  // wrong with it, a Problem if there is no worker, or the reason of `signal`.
-  static async read(
-    core: Core,
-    { file, wire, beside }: { file: File; wire?: string; beside?: Remote },
-    signal: AbortSignal,
-    progress?: Progress,
-  ): Promise<Remote> {
+  // Reads the file; of a capture, the signal `wire`. Throws an Error that says what is wrong with it, a Problem if there is no worker, or
+  // the reason of `signal`.
+  static async read(core: Core, file: File, wire: string | undefined, signal: AbortSignal, progress: Progress): Promise<Remote> {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e9} GB: sbus summary and sbus csv can read it`);
     }
-    const thread = beside?.thread ?? new Thread();
+    const thread = new Thread();
     const channel = thread.ask({ kind: 'open', wasm: core.wasm, file, signal: wire });
     try {
       const aborted = new Promise<never>((_, reject) => signal.addEventListener('abort', () => reject(signal.reason)));
@@ -94,19 +88,16 @@ export class Remote {
     }
   }
 
-  // Opens a live line: in a worker, if one can read it, otherwise in the page. `port`: the one at that place. `beside`: the line
-  // with which it is compared. Throws the reason of `signal`, or a Problem.
-  static async live(core: Core, opening: Opening, signal: AbortSignal, port?: SerialPort, beside?: Remote): Promise<Remote> {
-    const request: Live = { kind: 'live', wasm: core.wasm, opening, id: ++lines, beside: beside?.liveId };
+  // Opens a live line: in a worker, if one can read it, otherwise in the page. `port`: the one at that place. Throws the reason of
+  // `signal`, or an Error.
+  static async live(core: Core, opening: Opening, signal: AbortSignal, port?: SerialPort): Promise<Remote> {
+    const request: Live = { kind: 'live', wasm: core.wasm, opening };
     const thread = Thread.ofLiveLines;
-    let remote = thread && (await Remote.opened(core, thread.ask(request), undefined, thread, request.id));
+    let remote = thread && (await Remote.opened(core, thread.ask(request), undefined, thread));
     if (!remote) {
       const [channel, out] = channelInPage();
       void serve(request, out, async (place) => (await findPort(place)) ?? port);
-      remote = await Remote.opened(core, channel, undefined, undefined, request.id);
-    }
-    if (!remote) {
-      throw notBeside;
+      remote = (await Remote.opened(core, channel)) as Remote; // the page has the port
     }
     if (signal.aborted) {
       remote.close();
@@ -116,9 +107,9 @@ export class Remote {
   }
 
   // Returns undefined if the line cannot be opened there.
-  private static async opened(core: Core, channel: Channel, progress?: Progress, thread?: Thread, id?: number): Promise<Remote | undefined> {
+  private static async opened(core: Core, channel: Channel, progress?: Progress, thread?: Thread): Promise<Remote | undefined> {
     const opened = await Promise.race([firstAnswer(channel, progress), ...(thread ? [thread.broken] : [])]);
-    return opened && new Remote(core, channel, opened, thread, id);
+    return opened && new Remote(core, channel, opened, thread);
   }
 
   // What decodes the line has failed: nothing comes any more.
@@ -206,7 +197,6 @@ export class Remote {
     switch (answer.kind) {
       case 'progress': this.progress = answer.part; break;
       case 'failed': this.fail(); break;
-      case 'recording': this.recordingUs = answer.us; break;
       case 'recorded':
         this.ended?.(this.takeRecorded() + answer.text);
         this.ended = undefined;
@@ -214,7 +204,6 @@ export class Remote {
       case 'faults': this.faults = answer.map; break;
       case 'envelope': this.envelope = answer.envelope; break;
       case 'flight': this.flight = answer.flight; break;
-      case 'compared': this.compared = answer.comparison; break;
       case 'report': this.reported?.(answer.html); break;
       case 'wire': this.wire = answer; break;
       case 'past': this.came.push(answer); break;
@@ -235,10 +224,8 @@ export class Remote {
       sink.precede(answer.samples);
     } else if (answer.kind === 'picture' && answer.id >= this.sought) {
       this.picture = answer;
-      if (!answer.isPreview) {
-        this.answered = answer.id;
-        this.progress = undefined;
-      }
+      this.answered = answer.id;
+      this.progress = undefined;
       const pieces = answer.records.map((records) => this.core.stretchesIn(records));
       if (answer.jumped) {
         sink.jump(pieces.shift() ?? []);
@@ -248,14 +235,14 @@ export class Remote {
   }
 }
 
-// Returns what a line opens with, or undefined if it is refused there. Throws an Error or a Problem that says why it cannot be opened.
+// Returns what a line opens with, or undefined if it is refused there. Throws an Error that says why it cannot be opened.
 function firstAnswer(channel: Channel, progress?: Progress): Promise<Opened | undefined> {
   return new Promise((resolve, reject) => {
     channel.onmessage = ({ data }): void => {
       if (data.kind === 'progress') {
         progress?.(data.part);
       } else if (data.kind === 'failed') {
-        reject(data.remedy ? ({ text: data.error, remedy: data.remedy } satisfies Problem) : new Error(data.error));
+        reject(new Error(data.error));
       } else {
         resolve(data.kind === 'opened' ? data : undefined);
       }
@@ -281,7 +268,7 @@ function makeWorker(): Worker {
   }
 }
 
-// A worker: of all live lines, since within one a port is closed before it is opened again; or of a recording and the one beside it.
+// A worker: of all live lines, since within one a port is closed before it is opened again; or of a recording.
 class Thread {
   private static live?: Thread;
   readonly broken: Promise<undefined>;

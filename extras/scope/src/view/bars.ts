@@ -1,21 +1,18 @@
 // One bar for each channel: raw, microseconds and percent, marks at the lowest and highest value seen, ends of the calibration.
 
-import type { Channels } from '../channels';
 import type { Core } from '../core';
 import { byId, make, setAttribute, setText } from '../dom';
-import type { Stretch } from '../line';
+import type { Stretch } from '../native';
 import type { Remote } from '../source/remote';
 import { Throttle } from '../throttle';
 import type { Unit } from '../unit';
-import { chipOf } from './chip';
+import { chipOf } from './palette';
 
 const textMs = 100; // numbers that change faster cannot be read
 const spokenMs = 500; // for screen readers
 
 interface Bar {
   row: HTMLLIElement;
-  chip: HTMLButtonElement;
-  name: HTMLElement;
   track: HTMLDivElement;
   fill: HTMLElement;
   low: HTMLElement;
@@ -34,7 +31,7 @@ export class Bars {
 
   constructor(
     private readonly core: Core,
-    private readonly channels: Channels,
+    private readonly curves: Set<number>, // the channels that have one
     private readonly line: () => Remote | undefined,
   ) {}
 
@@ -45,7 +42,6 @@ export class Bars {
     const spoken = text && this.speech.due;
     this.list.classList.toggle('doubtful', !trusted);
     this.list.classList.toggle('plain', !unit.raw); // no µs, no percent
-    this.list.classList.toggle('named', this.channels.anyNamed);
     for (let i = 0; i < count; i++) {
       const value = newest ? newest.channels[i] : undefined;
       this.drawBar(this.bars[i], i, value, unit, text, spoken);
@@ -61,16 +57,12 @@ export class Bars {
     if (!text) {
       return;
     }
-    const name = this.channels.fullName(channel);
-    setText(bar.name, this.channels.name(channel));
-    setAttribute(bar.chip, 'title', `Show or hide the curve of ${name}`);
-    setAttribute(bar.track, 'aria-label', name);
     const travel = this.line()?.picture.travel[channel];
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;
       bar.high.style.left = `${share(travel[1]) * 100}%`;
-      setAttribute(bar.track, 'title', `${name}: lowest ${unit.text(travel[0])}, highest ${unit.text(travel[1])}`);
+      setAttribute(bar.track, 'title', `CH${channel + 1}: lowest ${unit.text(travel[0])}, highest ${unit.text(travel[1])}`);
     }
     bar.ends.forEach((end) => (end.hidden = range === undefined));
     if (range) {
@@ -90,24 +82,24 @@ export class Bars {
     while (this.bars.length < count) {
       this.bars.push(this.add(this.bars.length));
     }
-    this.bars.forEach((bar, i) => (bar.row.hidden = i >= count || this.channels.isHidden(i)));
+    this.bars.forEach((bar, i) => (bar.row.hidden = i >= count));
   }
 
   private add(channel: number): Bar {
-    const { curves } = this.channels;
-    const name = make('span', { class: 'name' });
-    const chip = chipOf(curves, channel, name);
+    const name = `CH${channel + 1}`;
+    const chip = chipOf(this.curves, channel, make('span', {}, name));
+    chip.title = `Show or hide the curve of ${name}`;
     const ends = [0, 1, 2].map((i) => make('i', { class: i === 1 ? 'end middle' : 'end' }));
     const fill = make('span', { class: 'fill' });
     const low = make('b', { class: 'mark low' });
     const high = make('b', { class: 'mark high' });
-    const track = make('div', { class: 'track', role: 'meter', 'aria-valuenow': 0, 'aria-valuemin': 0, 'aria-valuemax': 2047 });
+    const track = make('div', { class: 'track', role: 'meter', 'aria-label': name, 'aria-valuenow': 0, 'aria-valuemin': 0, 'aria-valuemax': 2047 });
     track.append(...ends, fill, low, high);
     const raw = make('span', { class: 'raw' });
     const us = make('span', { class: 'us' });
     const percent = make('span', { class: 'percent' });
     const row = make('li', {}, chip, track, raw, us, percent);
     this.list.append(row);
-    return { row, chip, name, track, fill, low, high, ends, raw, us, percent };
+    return { row, track, fill, low, high, ends, raw, us, percent };
   }
 }

@@ -1,9 +1,11 @@
-// Guides the user through a calibration: sbus/Calibrator decides, this only asks and shows.
+// The range behind µs and %: FrSky's, Futaba's, or that of the radio that was calibrated here, which the browser stores. Guides the
+// user through a calibration: sbus/Calibrator decides, this only asks and shows.
 
-import { CalibrationError, type Core } from '../core';
-import { byId, setText } from '../dom';
-import { Announcer } from './announcer';
+import { CalibrationError, type Core, Scale } from '../core';
+import { Announcer, byId, setText } from '../dom';
+import { keep, recall } from '../storage';
 
+const key = 'calibration'; // its value: when, and the bytes in hexadecimal
 const steps = [
   '',
   '1 of 3: Move all sticks, sliders and switches to all their ends.',
@@ -23,12 +25,10 @@ export class CalibrationView {
   private readonly text = byId('calibration-text');
   private readonly announcer = new Announcer(byId('calibration-announcement'));
   private readonly next = byId<HTMLButtonElement>('calibration-next');
+  private readonly scale: ScaleView;
 
-  // `done`: called once there is a calibration.
-  constructor(
-    private readonly core: Core,
-    private readonly done: () => void,
-  ) {
+  constructor(private readonly core: Core) {
+    this.scale = new ScaleView(core);
     this.open.addEventListener('click', () => this.go(this.step === 0 ? 1 : 0));
     this.next.addEventListener('click', () => (this.step === 3 ? this.finish() : this.go(this.step + 1)));
     byId('calibration-cancel').addEventListener('click', () => this.go(0));
@@ -61,11 +61,58 @@ export class CalibrationView {
     const rejected = this.core.finishCalibration(wanted);
     if (rejected === '') {
       this.go(0);
-      this.done();
+      this.scale.calibrated();
     } else {
       this.go(1);
       this.textAt = performance.now() + 4000; // let it be read
       setText(this.text, `Not accepted: ${rejected}. Start again. ${steps[1]}`);
     }
+  }
+}
+
+class ScaleView {
+  private readonly select = byId<HTMLSelectElement>('scale');
+  private readonly note = byId('calibrated');
+
+  constructor(private readonly core: Core) {
+    this.select.addEventListener('change', () => this.use(Number(this.select.value)));
+    byId('calibration-drop').addEventListener('click', () => this.drop());
+    this.restore();
+  }
+
+  // Stores the new calibration and uses it.
+  calibrated(): void {
+    const now = new Date().toISOString();
+    const hex = Array.from(this.core.calibration, (byte) => byte.toString(16).padStart(2, '0')).join('');
+    keep(key, `${now} ${hex}`);
+    this.useCalibration(now);
+  }
+
+  private restore(): void {
+    const [when, hex = ''] = recall(key)?.split(' ') ?? [''];
+    if (this.core.restoreCalibration(Uint8Array.from(hex.match(/../g) ?? [], (pair) => parseInt(pair, 16)))) {
+      this.useCalibration(when);
+    } else {
+      this.use(Scale.FrSky);
+    }
+  }
+
+  private drop(): void {
+    keep(key);
+    this.select.options[Scale.Calibrated].disabled = true;
+    this.use(Scale.FrSky);
+    this.select.focus(); // the button has gone
+  }
+
+  private useCalibration(when: string): void {
+    setText(byId('calibrated-text'), `Calibrated on ${new Date(when).toLocaleDateString()}.`);
+    this.select.options[Scale.Calibrated].disabled = false;
+    this.use(Scale.Calibrated);
+  }
+
+  private use(scale: Scale): void {
+    this.select.value = String(scale);
+    this.core.setScale(scale);
+    this.note.hidden = scale !== Scale.Calibrated;
   }
 }

@@ -1,7 +1,7 @@
 // The counters, by cause. Those at 0 are pale.
 
+import type { Status } from '../border';
 import { byId, make, setText } from '../dom';
-import type { Status } from '../line';
 import type { Picture } from '../messages';
 import { Throttle } from '../throttle';
 
@@ -32,7 +32,7 @@ export class CountersView {
     rows.forEach(([key, name, title]) => this.add(key, name, title));
   }
 
-  draw({ status, live, isPreview }: Picture): void {
+  draw({ status, live }: Picture): void {
     if (!this.text.due) {
       return;
     }
@@ -40,7 +40,7 @@ export class CountersView {
     this.list.classList.toggle('board', status.rows > 0 && status.frames === 0);
     const ofPort = [...this.values.keys()].filter((key) => key.startsWith('port ') && !events?.has(key.slice(5)));
     ofPort.forEach((key) => this.set(key, 0));
-    rows.forEach(([key]) => this.set(key, status[key], isPreview ? '…' : undefined));
+    rows.forEach(([key]) => this.set(key, status[key]));
     events?.forEach((count, what) => {
       const key = `port ${what}`;
       if (!this.values.has(key)) {
@@ -56,9 +56,9 @@ export class CountersView {
     this.values.set(key, value);
   }
 
-  private set(key: string, count: number, text = count.toLocaleString('en').replaceAll(',', '\u202f')): void {
+  private set(key: string, count: number): void {
     const value = this.values.get(key) as HTMLElement;
-    setText(value, text);
+    setText(value, count.toLocaleString('en').replaceAll(',', '\u202f'));
     const row = value.parentElement as HTMLElement;
     row.classList.toggle('zero', count === 0);
     row.hidden = count === 0 && (rare.includes(key) || key.startsWith('port '));

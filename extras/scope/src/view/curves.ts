@@ -2,42 +2,23 @@
 // the curves are paused; or a whole recording.
 
 import type uPlot from 'uplot';
-import type { Channels } from '../channels';
 import { widthText } from '../clock';
 import { byId, setText } from '../dom';
-import { silenceUs } from '../faults';
 import type { History } from '../history';
-import type { Stretch } from '../line';
-import type { Bookmark, Envelope } from '../messages';
+import { type Envelope, silenceUs } from '../messages';
+import type { Stretch } from '../native';
 import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
-import { CursorTable } from './cursorTable';
-import { Cursors } from './cursors';
+import { Cursors, CursorTable } from './cursors';
 import { Gestures, wheelKey } from './gestures';
 import { paletteOf, type Palette } from './palette';
-import { picture } from './picture';
 import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, within } from './plot';
 import { type Area, type Curve, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
 import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
-const nameRows = 4; // of bookmarks
 const awayMs = 300; // at rest, where no samples are kept, until the recording goes there
-
-export interface Lane {
-  curves: Curve[];
-  unit: Unit;
-  palette: Palette;
-  longest: number; // s without a frame: the curve breaks
-  thickness: number;
-  edge: number; // s
-  seconds: number;
-  isWhole: boolean; // by its envelope
-}
-
-// The pointer on the curves of one line is on those of the other as well.
-export const together: uPlot.Cursor.Sync = { key: 'lines', filters: { pub: (type) => type === 'mousemove' || type === 'mouseleave' } };
 
 // Returns the width of an axis with these texts, in pixels.
 const widthOf = (_: uPlot, texts: string[] | null): number => 14 + 7 * Math.max(...(texts ?? ['']).map(({ length }) => length));
@@ -56,18 +37,16 @@ export class Curves {
   private nowUs = 0;
   private movedMs = Infinity; // when the user has looked elsewhere
   private unit?: Unit;
-  private palette?: Palette;
   private curves: Curve[] = [];
   private rows = false;
   private intervalUs = 0;
   private event?: number; // the moment that is marked, in s
-  private bookmarks: readonly Bookmark[] = [];
   private readonly cursors: Cursors;
   private readonly table: CursorTable;
 
   constructor(
     private readonly history: History,
-    private readonly channels: Channels,
+    private readonly channels: ReadonlySet<number>, // that have a curve
     private readonly sensors: Sensors,
     private readonly visit: (us: number) => void, // goes to a place of a recording
   ) {
@@ -99,13 +78,6 @@ export class Curves {
     return [1e6 * this.view.begin, 1e6 * this.view.edge];
   }
 
-  // What a second line is shown with: the channels' curves, and how.
-  get shownAs(): Lane | undefined {
-    const { curves, unit, palette, longest, thickness } = this;
-    const channels = curves.filter((curve) => curve.unit.axis === undefined);
-    return unit && palette && { curves: channels, unit, palette, longest, thickness, edge: this.view.edge, seconds: this.view.seconds, isWhole: this.strokes !== this.samples };
-  }
-
   pause(on: boolean): void {
     this.look((view) => view.pause(on));
   }
@@ -120,22 +92,9 @@ export class Curves {
     this.drawn.edge = NaN;
   }
 
-  // Shows bookmarks.
-  name(bookmarks: readonly Bookmark[]): void {
-    if (bookmarks !== this.bookmarks) {
-      this.bookmarks = bookmarks;
-      this.drawn.edge = NaN;
-    }
-  }
-
-  // Shows a time in the middle, and stops there.
-  show(us: number): void {
-    this.look((view) => view.place(us / 1e6, 0.5));
-  }
-
-  // Stops with the marked moment at a part of the width.
-  stop(part: number): void {
-    this.look((view) => view.place(this.event ?? 0, part));
+  // Stops with the marked moment in the middle.
+  stop(): void {
+    this.look((view) => view.centre(this.event ?? 0));
   }
 
   // +1 zooms in.
@@ -155,12 +114,6 @@ export class Curves {
     this.shown = '';
   }
 
-  // Returns what is shown, as the text of an SVG file.
-  svg(title: string): string {
-    const { curves, unit, palette, drawn: times, longest, thickness } = this;
-    return picture(this.strokes, { title, curves, unit: unit as Unit, times, longest, thickness }, palette as Palette);
-  }
-
   // `intervalUs`: the mean interval of frames or rows. `envelope`: of a whole recording.
   draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number, envelope: Envelope | undefined): void {
     if (envelope !== this.whole?.envelope) {
@@ -171,8 +124,9 @@ export class Curves {
     this.choose();
     this.intervalUs = intervalUs;
     this.rows = newest !== undefined && newest.bytes.length === 0;
-    const channels = this.channels.drawn(newest?.channels.length || 16);
-    this.curves = [...channels.map((column) => ({ column, name: this.channels.name(column), unit })), ...this.sensors.drawn()];
+    const count = newest?.channels.length || 16;
+    const channels = [...this.channels].filter((channel) => channel < count).sort((a, b) => a - b);
+    this.curves = [...channels.map((column) => ({ column, name: `CH${column + 1}`, unit })), ...this.sensors.drawn()];
     const shown = `${this.curves.map((curve) => `${curve.column} ${curve.unit.axis}`)} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
@@ -277,7 +231,7 @@ export class Curves {
 
   private make(curves: Curve[]): void {
     this.plot?.destroy();
-    const palette = (this.palette = paletteOf(this.root));
+    const palette = paletteOf(this.root);
     const unit = this.unit as Unit;
     const others = [...new Set(curves.map((curve) => curve.unit))].filter(({ axis }) => axis !== undefined);
     this.root.replaceChildren();
@@ -296,12 +250,10 @@ export class Curves {
       series: seriesOf(curves, palette, this.thickness, (plot, curve, pen) => this.strokes.trace(curve, this.area(plot), this.longest, pen)),
       cursor: {
         drag: { x: true, y: false, setScale: false },
-        sync: together,
         bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
       },
       hooks: {
         drawClear: [(plot): void => this.bands(plot, palette)],
-        draw: [(plot): void => this.flags(plot, palette)],
         setSelect: [
           (plot): void => {
             const { left, width } = plot.select;
@@ -314,40 +266,6 @@ export class Curves {
       },
     });
     this.cursors.enter(this.plot.over);
-  }
-
-  // Draws the bookmarks, each with its name.
-  private flags(plot: uPlot, palette: Palette): void {
-    const pixel = devicePixelRatio;
-    within(plot, (ctx, bbox) => {
-      ctx.font = `${12 * pixel}px system-ui, sans-serif`;
-      ctx.textBaseline = 'top';
-      ctx.strokeStyle = ctx.fillStyle = palette.ink;
-      ctx.setLineDash([2 * pixel, 2 * pixel]);
-      ctx.textAlign = 'left';
-      const [from, to] = this.shownUs;
-      const gap = 4 * pixel;
-      const freeX = new Array(nameRows).fill(bbox.left); // names do not lie on each other
-      let lastX = NaN;
-      for (const { us, name } of this.bookmarks.filter((bookmark) => bookmark.us >= from && bookmark.us <= to)) {
-        const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-        if (x === lastX) {
-          continue;
-        }
-        lastX = x;
-        const width = Math.min(...freeX) > x + gap ? Infinity : ctx.measureText(name).width; // no row is free
-        const textX = x + gap + width > bbox.left + bbox.width ? x - gap - width : x + gap; // not over the right edge
-        ctx.beginPath();
-        ctx.moveTo(x, bbox.top);
-        ctx.lineTo(x, bbox.top + bbox.height);
-        ctx.stroke();
-        const row = freeX.findIndex((free) => textX >= free);
-        if (row >= 0) {
-          ctx.fillText(name, textX, bbox.top + (2 + 14 * row) * pixel);
-          freeX[row] = textX + width + gap;
-        }
-      }
-    });
   }
 
   // Below the curves: losses, the position on a whole recording, and the moment that is marked.

@@ -1,9 +1,10 @@
 // The line, byte by byte. Pointing at a bit shows its channel; meanwhile the view holds still.
 
+import { Flag, Kind } from '../border';
 import { secondsText } from '../clock';
 import type { Core } from '../core';
 import { byId, make, setText } from '../dom';
-import { Flag, Kind, type Stretch } from '../line';
+import type { Stretch } from '../native';
 import { Throttle } from '../throttle';
 
 const kept = 8; // pieces of the line

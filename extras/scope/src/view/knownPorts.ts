@@ -2,8 +2,7 @@
 // that it was the last time.
 
 import { make, setAttribute } from '../dom';
-import { deviceName, idsOf, isLikelyAdapter } from '../source/device';
-import type { PortKind } from '../source/pick';
+import { deviceName, idsOf, isLikelyAdapter, type PortKind } from '../source/device';
 import { keep, recall } from '../storage';
 
 const keyOf = (port: SerialPort): string => `port-${idsOf(port.getInfo())}`;

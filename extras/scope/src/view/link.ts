@@ -1,7 +1,8 @@
 // The link at a glance: its state, the flags, age, quality, rate and gaps.
 
+import { Flag, Kind, LinkState, type Status } from '../border';
 import { byId, make, setAttribute, setText } from '../dom';
-import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
+import type { Stretch } from '../native';
 import { Throttle } from '../throttle';
 
 // Name and severity.
@@ -12,7 +13,6 @@ const states: Record<LinkState, [string, string]> = {
   [LinkState.Failsafe]: ['Failsafe', 'alarm'],
   [LinkState.Stale]: ['Stale', 'alarm'],
 };
-export const stateName = (state: LinkState): string => states[state][0];
 
 // Of frames, of rows.
 const labels = [['Newest frame', 'Rate', 'Frame interval'], ['Newest row', 'Rate', 'Row interval']];
@@ -80,10 +80,9 @@ export class LinkView {
     }
   }
 
-  // `isPreview`: see Picture.
-  draw(status: Status, newest: Stretch | undefined, isPreview = false): void {
+  draw(status: Status, newest: Stretch | undefined): void {
     const state = status.state as LinkState;
-    setText(this.state, stateName(state));
+    setText(this.state, states[state][0]);
     setAttribute(this.stateTile, 'data-severity', states[state][1]);
     this.indicators.forEach((indicator, flag) => {
       const flags = newest?.flags ?? 0;
@@ -97,11 +96,11 @@ export class LinkView {
     }
     this.tiles.forEach((label, i) => setText(label, labels[Number(status.rows > 0)][i]));
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
-    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${isPreview ? '…' : `${status.linkQuality}\u00a0%`}`);
+    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
     setText(this.rate, String(status.framesPerSecond));
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
-    const hasGaps = status.gapMeanUs > 0 && !isPreview;
-    setText(this.gap, hasGaps ? `${ms(status.gapMeanUs)} ms` : isPreview ? '…' : '–');
+    const hasGaps = status.gapMeanUs > 0;
+    setText(this.gap, hasGaps ? `${ms(status.gapMeanUs)} ms` : '–');
     setText(this.gapEnds, hasGaps ? `${ms(status.gapMinUs)} to ${ms(status.gapMaxUs)}` : '');
   }
 }

@@ -1,8 +1,9 @@
-// The theme's colours as numbers, for a canvas and for a picture: they know neither variables nor light-dark(). And the curves' dashes.
+// The theme's colours as numbers, for a canvas: it knows neither variables nor light-dark(). And the curves' dashes.
 
+import { make, svg } from '../dom';
 import { History } from '../history';
 
-const names = ['card', 'ink', 'muted', 'grid', 'alarm-band', 'warning-band', 'alarm'] as const;
+const names = ['ink', 'muted', 'grid', 'alarm-band', 'warning-band', 'alarm'] as const;
 const curves = 8;
 
 export type Palette = Record<(typeof names)[number], string> & { curves: string[] };
@@ -31,4 +32,21 @@ export const colorOf = (column: number): number => shifted(column) % dashes.leng
 // Curves of one colour, such as CH1 and CH9, also differ in their dashes.
 export function dashOf(column: number): number[] {
   return dashes[(shifted(column) + Math.floor(column / dashes.length)) % dashes.length];
+}
+
+// Returns a button that shows or hides a curve, with a piece of the curve.
+export function chipOf(curves: Set<number>, column: number, name: HTMLElement): HTMLButtonElement {
+  const chip = make('button', { class: 'chip', 'aria-pressed': String(curves.has(column)) }, swatch(column), name);
+  chip.dataset.color = String(colorOf(column));
+  chip.addEventListener('click', () => {
+    const on = !curves.has(column);
+    curves[on ? 'add' : 'delete'](column);
+    chip.setAttribute('aria-pressed', String(on));
+  });
+  return chip;
+}
+
+function swatch(column: number): SVGElement {
+  const line = svg('path', { d: 'M0 4h26', 'stroke-dasharray': dashOf(column).join(' ') });
+  return svg('svg', { class: 'swatch', viewBox: '0 0 26 8', 'aria-hidden': true }, line);
 }

@@ -3,8 +3,7 @@
 import { FlightKind } from '../border';
 import { clock } from '../clock';
 import { byId, make, setAttribute, setText } from '../dom';
-import { faultNames } from '../faults';
-import { Fault, type Flight, type FlightPart } from '../messages';
+import { Fault, faultNames, type Flight, type FlightPart } from '../messages';
 import type { RecordingSource } from '../source/recording';
 
 const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
@@ -74,7 +73,7 @@ export class ReportView {
 }
 
 // Each row: the time that is shown, the time that is visited, in us, and a text. `visit`: goes there.
-export function listOf(title: string, rows: [number, number, string][], visit: (us: number) => void): HTMLElement {
+function listOf(title: string, rows: [number, number, string][], visit: (us: number) => void): HTMLElement {
   const items = rows.map(([fromUs, toUs, text]) => {
     const button = make('button', {}, clock(fromUs));
     button.addEventListener('click', () => visit(toUs));

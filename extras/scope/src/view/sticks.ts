@@ -1,8 +1,9 @@
 // The sticks as on a radio, from the scaled values of CH1 to CH4: aileron, elevator, throttle, rudder, as most radios send them.
 
+import { Kind } from '../border';
 import type { Core } from '../core';
-import { Kind, type Stretch } from '../line';
 import { byId, make, setText } from '../dom';
+import type { Stretch } from '../native';
 import { keep, recall } from '../storage';
 import { Throttle } from '../throttle';
 import type { Unit } from '../unit';

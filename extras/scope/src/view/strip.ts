@@ -2,11 +2,9 @@
 // Each fault has a height of its own, so that they can be told apart without colours; losses and damage are as high as they are many.
 
 import { clock } from '../clock';
-import { binCount, faultNames, faults } from '../faults';
-import { byId, make, setAttribute, setText, svg } from '../dom';
-import { type Bookmark, Fault, type FaultMap, type Flight, type Span } from '../messages';
+import { Announcer, byId, make, setAttribute, setText, svg } from '../dom';
+import { binCount, Fault, type FaultMap, faultNames, faults, type Flight, type Span } from '../messages';
 import type { RecordingSource } from '../source/recording';
-import { Announcer } from './announcer';
 
 const restMs = 1000; // from one announced fault to the next
 const tall = 8;
@@ -59,10 +57,8 @@ export class Strip {
   only?: Fault; // the kind that is shown, and to which N goes; all without one
   private shown?: FaultMap;
   private shownFlight?: Flight;
-  private shownBookmarks?: readonly Bookmark[];
   private readonly decoded = svg('rect', { class: 'decoded', height: tall });
   private readonly window = svg('rect', { class: 'window', height: tall });
-  private readonly bookmarks = svg('path', { class: 'bookmark' });
   private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
   private readonly counts = faults.map(() => make('span'));
   private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show only these, and go only to these. Damage less than a second apart counts as one.' }));
@@ -70,7 +66,7 @@ export class Strip {
   private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
 
   constructor() {
-    byId('strip').append(this.decoded, this.window, ...this.paths, this.bookmarks);
+    byId('strip').append(this.decoded, this.window, ...this.paths);
     const rows = faults.map((fault) => {
       const sample = svg('svg', { viewBox: `0 0 8 ${tall}`, 'aria-hidden': 'true' }, svg('path', { class: classes[fault], d: boxOf(fault, 0, 8) }));
       const button = this.buttons[fault];
@@ -82,7 +78,7 @@ export class Strip {
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
-  draw({ line: { faults: map, flight }, lengthUs, found, isLast }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
+  draw({ line: { faults: map, flight }, lengthUs, found, isLast }: RecordingSource, from: number, to: number): void {
     if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
       this.shownFlight = flight;
@@ -94,11 +90,6 @@ export class Strip {
     const place = (us: number): number => Math.min(Math.max((binCount * us) / lengthUs, 0), binCount);
     setAttribute(this.window, 'x', place(from).toFixed(1));
     setAttribute(this.window, 'width', (place(to) - place(from)).toFixed(1));
-    if (bookmarks !== this.shownBookmarks) {
-      this.shownBookmarks = bookmarks;
-      const places = new Set(bookmarks.map(({ us }) => Math.round(2 * place(us)) / 2)); // thousands of dashed lines take a tenth of a second
-      setAttribute(this.bookmarks, 'd', [...places].map((x) => `M${x} 0v${tall}`).join(''));
-    }
     const all = map?.isComplete ? ` of ${this.counted(map)}` : '';
     const kind = this.only === undefined ? 'fault' : `fault "${faultNames[this.only]}"`;
     const text = isLast ? `There is no other ${kind} in this direction.` : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';

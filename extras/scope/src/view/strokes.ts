@@ -1,9 +1,9 @@
-// How a line becomes strokes, on the screen and in a picture: by its samples, or a whole recording by its envelope.
+// How a line becomes strokes: by its samples, or a whole recording by its envelope.
 
+import { Flag } from '../border';
 import { clock, shownSeconds } from '../clock';
-import { Flag } from '../line';
-import type { Envelope } from '../messages';
 import type { History } from '../history';
+import type { Envelope } from '../messages';
 import type { Unit } from '../unit';
 
 // A curve to draw: a channel, or what a sensor measures.

@@ -3,7 +3,7 @@
 import { byId, make, setText } from '../dom';
 import { quantitiesIn, slotOf, type Sensors } from '../sensors';
 import { Throttle } from '../throttle';
-import { chipOf } from './chip';
+import { chipOf } from './palette';
 
 const drawMs = 200;
 const unknown = 'unknown';

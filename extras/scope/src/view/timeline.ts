@@ -1,8 +1,7 @@
 // A recording's time line.
 
 import { clock } from '../clock';
-import type { Bookmarks } from '../bookmarks';
-import { byId, onKeys, setAttribute, setText } from '../dom';
+import { byId, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
 import { ReportView } from './report';
@@ -25,10 +24,7 @@ export class Timeline {
   private readonly loop = byId<HTMLInputElement>('loop');
 
   // `leaving`: called before another place of the recording is sought.
-  constructor(
-    private readonly bookmarks: Bookmarks,
-    private readonly leaving: () => void,
-  ) {
+  constructor(private readonly leaving: () => void) {
     this.play.addEventListener('click', () => this.toggle());
     this.position.addEventListener('input', () => this.seek(Number(this.position.value) * 1000));
     this.position.addEventListener('keydown', (event) => this.step(event));
@@ -36,7 +32,9 @@ export class Timeline {
     this.loop.addEventListener('change', () => this.apply());
     byId('fault-back').addEventListener('click', () => this.seekFault(true));
     byId('fault-next').addEventListener('click', () => this.seekFault(false));
-    onKeys((key, shift) => (key === 'n' || key === 'p') && this.seekFault(key === 'p' || shift)); // P, or Shift and N: back
+    for (const root of [byId('plot'), this.panel]) {
+      root.addEventListener('keydown', (event) => this.key(event));
+    }
   }
 
   show(source: RecordingSource | undefined): void {
@@ -68,7 +66,7 @@ export class Timeline {
     this.position.value = String(Math.floor(source.positionUs / 1000));
     this.tell(source);
     setText(this.text, `${clock(source.positionUs, 1)} / ${clock(source.lengthUs, 1)}`);
-    this.strip.draw(source, from, to, this.bookmarks.all);
+    this.strip.draw(source, from, to);
     this.report.draw(source);
   }
 
@@ -96,22 +94,29 @@ export class Timeline {
     }
   }
 
-  // Goes there and stops. Returns false without a recording.
-  visit(us: number): boolean {
+  // Goes there and stops.
+  visit(us: number): void {
     this.seek(us);
     if (this.source) {
       this.source.playing = false;
     }
-    return this.source !== undefined;
   }
 
-  // Returns false without a recording.
-  private seekFault(back: boolean): boolean {
+  private seekFault(back: boolean): void {
     if (this.source) {
       this.leaving();
       this.source.seekFault(back, this.strip.only);
     }
-    return this.source !== undefined;
+  }
+
+  // N goes to the next fault; P, or Shift and N, to the one before; but not in a list, where a letter chooses.
+  private key(event: KeyboardEvent): void {
+    const key = event.key.toLowerCase();
+    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !(event.target instanceof HTMLSelectElement);
+    if (isPlain && this.source && (key === 'n' || key === 'p')) {
+      event.preventDefault();
+      this.seekFault(key === 'p' || event.shiftKey);
+    }
   }
 
   // Seeks by an arrow key of the slider; the browser handles PageUp, Home and so on.

@@ -1,10 +1,11 @@
-// The trigger: stops curves and bytes at a moment at which a condition becomes true. `single` stops once; `normal` goes on and stops
-// at each event. In a recording it also goes to the next event.
+// The trigger: stops curves and bytes once a condition becomes true, with that moment in the middle. In a recording it also goes to the
+// next event.
 
+import { Flag, Kind } from '../border';
 import { secondsText } from '../clock';
-import { byId, setText } from '../dom';
 import type { Core } from '../core';
-import { Flag, Kind, type Stretch } from '../line';
+import { byId, setText } from '../dom';
+import type { Stretch } from '../native';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 import { keep, recall } from '../storage';
@@ -17,14 +18,12 @@ const help = 'ch5 > 1500, in raw, us or %; failsafe, nopulses, lostframe, reject
 export class TriggerView {
   private readonly panel = byId<HTMLFormElement>('trigger');
   private readonly input = byId<HTMLInputElement>('trigger-condition');
-  private readonly place = byId<HTMLSelectElement>('trigger-place');
-  private readonly mode = byId<HTMLSelectElement>('trigger-mode');
   private readonly button = byId('trigger-arm');
   private readonly next = byId('trigger-next');
   private steps?: Uint8Array; // the condition while it is armed
-  private eventUs?: number; // the newest one
+  private eventUs?: number;
   private readyUs?: number; // when the picture stops; Infinity: once it is full
-  private atUs?: number; // of a recording: the position at which the newest event is shown
+  private atUs?: number; // of a recording: the position at which the event is shown
   private source?: Source;
 
   constructor(
@@ -95,7 +94,7 @@ export class TriggerView {
   }
 
   private get afterUs(): number {
-    return 1e6 * (1 - Number(this.place.value)) * this.curves.seconds;
+    return (1e6 * this.curves.seconds) / 2;
   }
 
   private fire(us: number): void {
@@ -110,25 +109,20 @@ export class TriggerView {
 
   // Its picture is not kept.
   private miss(us: number): void {
-    if (this.mode.value !== 'normal') {
-      this.disarm();
-    }
+    this.disarm();
     this.say(`Event at ${secondsText(us)}, which the curves do not reach: the page was in the background.`);
   }
 
   private stop(): void {
     const { source } = this;
     this.readyUs = undefined;
-    this.curves.stop(Number(this.place.value));
-    const goesOn = this.steps && this.mode.value === 'normal';
-    if (this.steps && !goesOn) {
-      this.arm();
-      if (source instanceof RecordingSource) {
-        source.playing = false;
-      }
+    this.curves.stop();
+    this.arm();
+    if (source instanceof RecordingSource) {
+      source.playing = false;
+      this.atUs = source.positionUs;
     }
-    this.atUs = source instanceof RecordingSource ? source.positionUs : undefined;
-    this.say(`Event at ${secondsText(this.eventUs as number)}${goesOn ? '; waiting for the next one' : ''}.`);
+    this.say(`Event at ${secondsText(this.eventUs as number)}.`);
   }
 
   // The curves go on, and so do the bytes.

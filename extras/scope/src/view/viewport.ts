@@ -92,15 +92,15 @@ export class Viewport {
     this.hold(to + (this.seconds - (to - from)) / 2);
   }
 
-  // Shows a time at a part of the width (0..1), and stops there.
-  place(time: number, part: number): void {
-    this.hold(time + (1 - part) * this.seconds);
+  // Shows a time in the middle, and stops there.
+  centre(time: number): void {
+    this.hold(time + this.seconds / 2);
   }
 
   // Scrolls as far as it must to show this time.
   reveal(time: number): void {
     if (time < this.begin || time > this.edge) {
-      this.hold(time + this.seconds / 2);
+      this.centre(time);
     }
   }
 

@@ -1,9 +1,7 @@
 // Collects a recording's faults while it is decoded.
 
-import { type Exports, Gap, type Record } from '../border';
-import { binCount, faults, silenceUs } from '../faults';
-import { Flag, Kind } from '../line';
-import { Fault, type Found, type Span } from '../messages';
+import { type Exports, Flag, Gap, Kind, type Record } from '../border';
+import { binCount, Fault, faults, type Found, silenceUs, type Span } from '../messages';
 import { firstFrom } from '../numbers';
 
 const apartUs = 1000000; // nearer damage is one fault; the others are spans as sbus summary counts them

@@ -4,13 +4,10 @@
 import { Flag, RecordReader } from '../border';
 import type { Answer, Live, LiveState, Opening, Picture, Request, Setting } from '../messages';
 import { imports, Native } from '../native';
-import { Throttle } from '../throttle';
-import { Comparing } from './comparing';
 import { type FindPort, PortFeed } from './portFeed';
 import { Trials, type Tried } from './trials';
 
 const turnMs = 10; // from one look at a port to the next
-const tellingMs = 500; // from one comparison to the next
 const mostRecords = 1 << 15; // that wait for the page: it asks for none while it is in the background
 
 // Where a live line hears requests and answers them: a MessagePort, or what does its work in the page.
@@ -21,7 +18,7 @@ export interface Out {
 }
 
 // A line's source, as the server has it.
-interface Feed extends Tried, Partial<Pick<PortFeed, 'title' | 'events' | 'isUnplugged' | 'replugged' | 'holds' | 'zeroMs'>> {
+interface Feed extends Tried, Partial<Pick<PortFeed, 'title' | 'events' | 'isUnplugged' | 'replugged'>> {
   // Returns the line's time: all characters complete by then have come. `us`: the page's.
   nowUs(us: number): number;
   close(): void;
@@ -54,12 +51,7 @@ class SimulatedFeed implements Feed {
   close(): void {}
 }
 
-const lines = new Map<number, LiveLine>(); // that are open, by their numbers
-
 class LiveLine {
-  private comparing?: Comparing; // with another line
-  private side = 0; // of the comparison
-  private readonly telling = new Throttle(tellingMs);
   private readonly trials: Trials;
   private records: Uint8Array[] = [];
   private count = 0;
@@ -69,29 +61,16 @@ class LiveLine {
 
   constructor(
     private readonly native: Native,
-    readonly feed: Feed,
+    private readonly feed: Feed,
     private readonly find: FindPort,
     private readonly out: Out,
-    private readonly id: number,
-    private readonly first?: LiveLine, // beside which this one is
   ) {
-    lines.set(id, this);
-    if (first) {
-      const comparing = new Comparing(native, 1000 * ((feed.zeroMs ?? 0) - (first.feed.zeroMs ?? 0)));
-      first.join(comparing, 0);
-      this.join(comparing, 1);
-    }
     this.trials = new Trials(native, feed);
     out.onmessage = ({ data }: MessageEvent<Request>): void => this.hear(data);
     if (feed instanceof PortFeed) {
       this.timer = setInterval(() => this.turn(0), turnMs);
     }
     this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0) });
-  }
-
-  private join(comparing: Comparing | undefined, side: number): void {
-    this.comparing = comparing;
-    this.side = side;
   }
 
   private hear(request: Request): void {
@@ -111,13 +90,14 @@ class LiveLine {
       case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
       case 'sensors': native.transfer(request.sensors, (count) => native.calls.setSensors(count)); break;
-      case 'record': this.answer(native.record(request.on)); break;
+      case 'record':
+        native.record(request.on);
+        if (!request.on) {
+          this.answer({ kind: 'recorded', text: native.recorded() });
+        }
+        break;
       case 'close':
         clearInterval(this.timer);
-        lines.delete(this.id);
-        if (this.first?.comparing === this.comparing) {
-          this.first?.join(undefined, 0);
-        }
         this.feed.close();
         this.out.close();
         break;
@@ -130,9 +110,6 @@ class LiveLine {
     const { native } = this;
     const nowUs = (this.us = this.feed.nowUs(us));
     native.records(nowUs, (records) => {
-      if (!this.trials.isTrying) {
-        this.comparing?.take(this.side, records); // a trial breaks off what comes: that is no loss
-      }
       this.records.push(records);
       this.count += records.length / RecordReader.size;
     });
@@ -141,12 +118,7 @@ class LiveLine {
       this.count -= oldest.length / RecordReader.size;
       native.each(oldest, ({ flags, endUs }) => (this.missedUs ??= flags & Flag.Event ? endUs : undefined));
     }
-    const status = native.status(nowUs);
-    this.comparing?.knownUntil(this.side, nowUs - status.lateUs);
-    if (this.first && this.comparing && this.telling.due) {
-      this.answer({ kind: 'compared', comparison: this.comparing.found() });
-    }
-    void this.trials.tick(status);
+    void this.trials.tick(native.status(nowUs));
   }
 
   private picture(id: number, us: number): Picture {
@@ -166,21 +138,16 @@ class LiveLine {
 }
 
 // Opens a live line, which answers at `out`.
-export async function serve({ wasm, opening, id, beside }: Live, out: Out, find: FindPort): Promise<void> {
+export async function serve({ wasm, opening }: Live, out: Out, find: FindPort): Promise<void> {
   try {
     const port = opening.kind === 'port' ? await find(opening.place) : undefined;
-    const first = beside === undefined ? undefined : lines.get(beside);
-    if ((opening.kind === 'port' && !port) || (beside !== undefined && !first)) {
+    if (opening.kind === 'port' && !port) {
       out.postMessage({ kind: 'refused' } satisfies Answer);
-      return;
-    }
-    if (first?.feed.holds?.(port as SerialPort)) {
-      out.postMessage({ kind: 'failed', error: 'The page shows this port already.', remedy: 'Press Compare… again, and choose the port of the second receiver.' } satisfies Answer);
       return;
     }
     const native = Native.of((await WebAssembly.instantiate(wasm as BufferSource, imports)).instance);
     const feed = opening.kind === 'port' ? new PortFeed(native, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(native, opening);
-    new LiveLine(native, feed, find, out, id, first);
+    new LiveLine(native, feed, find, out);
   } catch (error) {
     out.postMessage({ kind: 'failed', error: (error as Error).message } satisfies Answer);
   }

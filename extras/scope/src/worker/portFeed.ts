@@ -25,8 +25,6 @@ export const findPort: FindPort = async ({ index, count, ids }) => {
   return port && ports.length === count && idsOf(port.getInfo()) === ids ? port : undefined;
 };
 
-const feeds = new Set<PortFeed>(); // that have a port
-
 export class PortFeed {
   readonly settings: readonly Setting[];
   readonly events = new Map<string, number>();
@@ -34,7 +32,7 @@ export class PortFeed {
   private waits = false; // for the device, which was unplugged
   private readonly connection: Connection;
   private readonly info: ReturnType<SerialPort['getInfo']>;
-  readonly zeroMs = performance.now();
+  private readonly zeroMs = performance.now();
 
   constructor(
     private readonly core: Pick<Native, 'openPort' | 'received' | 'receivedBad'>,
@@ -59,7 +57,6 @@ export class PortFeed {
         this.count('unplugged');
       },
     });
-    feeds.add(this);
   }
 
   get title(): string {
@@ -93,15 +90,8 @@ export class PortFeed {
     }
   }
 
-  holds(port: SerialPort): boolean {
-    return port === this.port;
-  }
-
-  // The device is there again, as `port`; unless another line has that one, of two like devices.
+  // The device is there again, as `port`.
   replugged(port: SerialPort): void {
-    if ([...feeds].some((feed) => feed !== this && feed.holds(port))) {
-      return;
-    }
     this.waits = false;
     this.port = port;
     this.connection.replugged(port);
@@ -111,7 +101,6 @@ export class PortFeed {
     navigator.serial?.removeEventListener('connect', this.connected);
     navigator.serial?.removeEventListener('disconnect', this.disconnected);
     this.connection.close();
-    feeds.delete(this);
   }
 
   private begin(): void {

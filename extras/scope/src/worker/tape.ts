@@ -1,11 +1,8 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
-import { CharacterSize, FileHeadMax, RecordReader, TransferSize } from '../border';
-import type { Status } from '../line';
-import type { Bookmark, Flight, Wire } from '../messages';
+import { CharacterSize, FileHeadMax, RecordReader, type Status, TransferSize } from '../border';
+import type { Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
-import { firstFrom } from '../numbers';
-import { Comparing } from './comparing';
 import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
@@ -17,7 +14,6 @@ export class Tape {
   sensors: Uint8Array = new Uint8Array(); // in its telemetry's slots
   size = 0; // characters
   lengthUs = 0;
-  bookmarks?: Bookmark[]; // of a recording as a plain text
   carrier = ''; // of a capture: the signal that carries the line
   signals: string[] = []; // of a capture: those that carry S.Bus, this one first
   note = ''; // what a user should know of the file
@@ -54,7 +50,6 @@ export class Tape {
       this.note = this.native.words(calls.fileNote());
       this.damage = this.native.words(calls.fileDamage()).split('\n').filter(Boolean);
       this.zeroUs = calls.recordingZeroUs();
-      this.bookmarks = isZip || packing || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
     }
     return wrong;
   }
@@ -134,11 +129,6 @@ export class Tape {
     return character < this.size ? this.native.calls.recordingUs(character) : 0;
   }
 
-  // Returns the first character that is not complete before then.
-  find(us: number): number {
-    return firstFrom(0, this.size, (character) => this.timeOf(character) < us);
-  }
-
   beginFlight(): void {
     this.native.calls.beginFlight();
   }
@@ -163,11 +153,6 @@ export class Tape {
 
   get startUs(): number | undefined {
     return this.native.calls.recordingStartUs() || undefined;
-  }
-
-  // Begins a comparison of another recording, A, with this one.
-  comparing({ startUs }: Tape): Comparing {
-    return new Comparing(this.native, startUs !== undefined && this.startUs !== undefined ? this.startUs - startUs : 0);
   }
 
   private handed(size: number): Uint8Array {
@@ -215,10 +200,6 @@ class Text {
       this.native.transfer(bytes, (count) => this.native.calls.fileText(count));
     }
   }
-}
-
-function bookmarksIn(text: string): Bookmark[] {
-  return text.split('\n').filter(Boolean).map((line) => line.split('\t')).map(([us, ...name]) => ({ us: Number(us), name: name.join(' ') }));
 }
 
 function joined(first: Uint8Array, second: Uint8Array): Uint8Array<ArrayBuffer> {

@@ -4,7 +4,6 @@ import { keptSeconds } from '../history';
 import type { Answer } from '../messages';
 import { firstFrom } from '../numbers';
 import { Throttle } from '../throttle';
-import type { Beside } from './beside';
 import type { Decoder, Image } from './decoder';
 import { EnvelopeIndex } from './envelope';
 import { FaultIndex } from './faultIndex';
@@ -26,7 +25,6 @@ export class TapeIndex {
     private readonly tape: Tape,
     readonly endUs: number,
     private readonly tell: (message: Answer) => void,
-    private readonly beside?: Beside, // the recording with which it is compared
   ) {
     this.images = [decoder.image()];
     this.apart = Math.max(spacing, tape.size / mostImages);
@@ -45,16 +43,15 @@ export class TapeIndex {
 
   // Decodes up to the time `hurry`, in ms, or to the end, and tells of the faults.
   work(hurry: number): void {
-    const { decoder, faults, envelope, tape, beside } = this;
+    const { decoder, faults, envelope, tape } = this;
     const take = (records: Uint8Array): void => {
       tape.flightRecords(records);
-      beside?.take(records);
       decoder.reader.each(records, (record) => {
         faults.take(record);
         envelope?.take(record);
       });
     };
-    while (!this.isComplete && performance.now() < hurry && beside?.follow(this.us, hurry) !== false) {
+    while (!this.isComplete && performance.now() < hurry) {
       decoder.advance(Math.min(decoder.us + 1000000, this.endUs), take);
       if (decoder.next - (this.images.at(-1) as Image).next >= this.apart) {
         this.images.push(decoder.image());

@@ -1,7 +1,6 @@
 // While no frame comes, tries the other settings of a live line's port.
 
-import { Finding } from '../border';
-import type { Status } from '../line';
+import { Finding, type Status } from '../border';
 import type { Problem, Setting, State } from '../messages';
 import type { Native } from '../native';
 
@@ -35,10 +34,6 @@ export class Trials {
     private readonly native: Native,
     private readonly source: Tried,
   ) {}
-
-  get isTrying(): boolean {
-    return this.trying !== undefined;
-  }
 
   // The setting that is being tried, or what the trials found.
   get note(): string {

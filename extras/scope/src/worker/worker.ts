@@ -1,16 +1,12 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
-import type { RecordReader } from '../border';
+import { Flag, Kind, LinkState, type RecordReader, type Status } from '../border';
 import { History } from '../history';
-import { Flag, Kind, LinkState, type Status } from '../line';
 import { type Answer, Fault, type Found, type Live, type Open, type Picture, type Request } from '../messages';
 import { Throttle } from '../throttle';
-import { Beside } from './beside';
-import { Decoder } from './decoder';
+import { Decoder, Past, Search } from './decoder';
 import { type Out, serve } from './live';
-import { Past } from './past';
 import { findPort } from './portFeed';
-import { Search } from './search';
 import { Tape } from './tape';
 import { TapeIndex } from './tapeIndex';
 
@@ -19,8 +15,6 @@ const pictureMs = 30; // at most, for a picture
 const progressMs = 100;
 const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
-const settledUs = 10000000; // before that, until a decoder that begins anywhere shows what one that began at 0 does
-const settled = 5000; // characters: failsafe by losses takes 100 frames, at 5 Hz twenty seconds
 
 const sliceEnd = (): number => performance.now() + sliceMs;
 
@@ -30,8 +24,6 @@ class Playing {
   private index: TapeIndex;
   private past?: Past;
   private search?: Search;
-  private beside?: Beside; // until the comparison is done
-  private previewed = 0; // the newest seek whose place was shown before it was decoded
   private soughtUs?: number; // the place of a seek that is not done yet
   private readonly waiting: Request[] = []; // until the place that is looked for is reached
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
@@ -39,17 +31,15 @@ class Playing {
   private isClosed = false;
   private readonly endUs: number;
 
-  // `progress`: tells how much is done, 0..1. `first`: the recording with which it is compared.
+  // `progress`: tells how much is done, 0..1.
   constructor(
     private readonly module: WebAssembly.Module,
     private readonly tape: Tape,
     private readonly out: Out,
     private readonly progress: (part: number) => void,
-    first?: Playing,
   ) {
     this.endUs = tape.lengthUs + 1000;
     this.player = new Decoder(module, tape);
-    this.beside = first && new Beside(tape.comparing(first.tape), new Decoder(module, first.tape), first.endUs);
     this.index = this.newIndex();
   }
 
@@ -65,7 +55,10 @@ class Playing {
         if (this.isLeaving) {
           this.waiting.push(request); // a jump would end it
         } else {
-          this.answer(reader.record(request.on));
+          reader.record(request.on);
+          if (!request.on) {
+            this.answer({ kind: 'recorded', text: reader.recorded() });
+          }
         }
         break;
       case 'seek': case 'advance': case 'fault': case 'event':
@@ -117,8 +110,6 @@ class Playing {
       }
       if (wanted?.kind === 'seek' && (this.index.isComplete || this.index.us >= wanted.us)) {
         this.seek(wanted.id, wanted.us);
-      } else if (wanted?.kind === 'seek' && this.previewed !== wanted.id) {
-        this.preview(wanted.id, wanted.us);
       } else if (wanted?.kind === 'seek') {
         this.progress(this.index.us / wanted.us);
         this.index.work(sliceEnd());
@@ -132,8 +123,6 @@ class Playing {
         this.workAtPast(this.past);
       } else if (!this.index.isComplete) {
         this.index.work(sliceEnd());
-      } else if (this.beside) {
-        this.endComparison(this.beside);
       } else {
         await new Promise<void>((resolve) => (this.waking = resolve));
       }
@@ -142,8 +131,8 @@ class Playing {
   }
 
   private newIndex(): TapeIndex {
-    const { module, tape, endUs, beside } = this;
-    return new TapeIndex(new Decoder(module, tape), tape, endUs, (message) => this.answer(message), beside);
+    const { module, tape, endUs } = this;
+    return new TapeIndex(new Decoder(module, tape), tape, endUs, (message) => this.answer(message));
   }
 
   // Returns a decoder that is at that time, or a little before it.
@@ -161,14 +150,6 @@ class Playing {
     }
   }
 
-  private endComparison(beside: Beside): void {
-    const comparison = beside.finish(sliceEnd());
-    if (comparison) {
-      this.beside = undefined;
-      this.answer({ kind: 'compared', comparison });
-    }
-  }
-
   private advance(id: number, us: number): void {
     this.wanted = undefined;
     const records: Uint8Array[] = [];
@@ -181,7 +162,9 @@ class Playing {
     const { player, index } = this;
     const fromUs = Math.max(us - shownUs, 0);
     player.restore(index.before(fromUs));
-    const records = recordsAt(player, us);
+    player.advance(fromUs);
+    const records = [player.reader.recalled()];
+    player.advance(us, (part) => records.push(part));
     if (found) {
       this.advanceTo(found, records);
     }
@@ -195,19 +178,6 @@ class Playing {
       this.seek(id, this.soughtUs, found, event);
     } else {
       this.show(id, false, [], found, event);
-    }
-  }
-
-  // Shows a place that is not decoded yet, by a decoder that begins a little before it. Only with a frame: else it would say that
-  // there never was one, or misread the columns of rows: their names come first.
-  private preview(id: number, us: number): void {
-    const { module, tape } = this;
-    this.previewed = id;
-    const decoder = new Decoder(module, tape, Math.min(tape.find(us - shownUs - settledUs), Math.max(tape.find(us) - settled, 0)));
-    const records = recordsAt(decoder, us);
-    const picture = pictureOf(decoder, id, true, records);
-    if (picture.status.frames > 0) {
-      this.answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
     }
   }
 
@@ -271,20 +241,9 @@ class Playing {
   }
 
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
-    return { ...pictureOf(this.player, id, jumped, records), faults: this.index.faults.at(this.player.us) };
+    const { us, reader } = this.player;
+    return { kind: 'picture', id, jumped, ...reader.picture(us), records, faults: this.index.faults.at(us) };
   }
-}
-
-// Decodes up to a place. Returns the records that a jump to there takes.
-function recordsAt(decoder: Decoder, us: number): Uint8Array[] {
-  decoder.advance(Math.max(us - shownUs, 0));
-  const records = [decoder.reader.recalled()];
-  decoder.advance(us, (part) => records.push(part));
-  return records;
-}
-
-function pictureOf({ us, reader }: Decoder, id: number, jumped: boolean, records: Uint8Array[]): Picture {
-  return { kind: 'picture', id, jumped, ...reader.picture(us), records, faults: 0 };
 }
 
 const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
@@ -300,11 +259,8 @@ function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
   }
 }
 
-let first: Playing | undefined;
-
-// Reads a recording and plays it until it is closed, also while it is read. With the first one the worker ends.
+// Reads a recording and plays it until it is closed, also while it is read. Then the worker ends.
 async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
-  const isFirst = !first;
   let isClosed = false;
   out.onmessage = ({ data }): void => void (isClosed = data.kind === 'close');
   const telling = new Throttle(progressMs);
@@ -325,19 +281,16 @@ async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
       out.postMessage({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks } = tape;
-    const playing = new Playing(module, tape, out, progress, first);
-    first ??= playing;
+    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs } = tape;
+    const playing = new Playing(module, tape, out, progress);
     out.onmessage = ({ data }): void => playing.hear(data);
-    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, bookmarks, picture: playing.picture(0, false, []) });
+    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     out.postMessage({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
   } finally {
     out.close();
-    if (isFirst) {
-      close();
-    }
+    close();
   }
 }
 
