@@ -149,7 +149,7 @@ bool Pipe::isFileAtOnce() {
 
 bool Pipe::isMangled() {
   return !_hasRows && isFileAtOnce() &&
-         !line::Mangled(std::string_view(_begin).substr(0, line::FileHeadMax)).what().empty();
+         !line::Mangled(std::string_view(_begin).substr(0, line::FileHeadMax)).what.empty();
 }
 
 // Reads the bytes that arrive within `ms`. Returns false if there were none.

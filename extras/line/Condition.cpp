@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "line/capture/Parsing.h"
@@ -35,8 +34,6 @@ constexpr Name Names[] = {{"failsafe", stateIs(sbus::LinkState::Failsafe)},
                           {"rejected", {Moment::Rejected, 1, 1}}};
 constexpr size_t StateCount = 4;
 
-constexpr int TriesMost = 100000;  // combinations of values, some 10 ms
-constexpr const char *Never = "a condition that can hold is expected: perhaps || instead of &&";
 constexpr const char *StateNames = "ok, lossy, stale or failsafe is expected";
 constexpr const char *AllNames =
     "a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
@@ -72,7 +69,7 @@ class Parser {
     next();
   }
 
-  bool all() { return either() && (_token.empty() || fail("&&, || or the end is expected")); }
+  void all() { either() && (_token.empty() || fail("&&, || or the end is expected")); }
 
  private:
   bool either() {
@@ -247,65 +244,6 @@ class Parser {
   int _nesting = 0;
 };
 
-// Returns the values to try: the greatest and the least, and those at both sides of each end of a comparison.
-std::vector<double> valuesOf(uint8_t which, const std::vector<Step> &steps, bool anyNumber) {
-  constexpr double Infinite = std::numeric_limits<double>::infinity();
-  const bool isChannel = which < Moment::ChannelsEnd, isReal = isChannel && anyNumber;
-  const double least = isReal ? -Infinite : 0;
-  const double most = isReal || which == Moment::Age ? Infinite
-                      : isChannel                    ? double{sbus::ChannelMax}
-                      : which == Moment::Quality     ? 100
-                      : which == Moment::State       ? static_cast<double>(sbus::LinkState::Stale)
-                                                     : 1;
-  std::vector<double> values{most, least};
-  for (const Step &step : steps) {
-    for (const double end : {step.low, step.high}) {
-      const double whole = std::floor(end);
-      const double around[] = {whole - 1, whole, whole + 1, end, std::nextafter(end, -Infinite),
-                               std::nextafter(end, Infinite)};
-      for (const double value : around) {
-        if (step.which == which && value >= least && value <= most && (isReal || value == std::floor(value))) {
-          values.push_back(value);
-        }
-      }
-    }
-  }
-  if (isChannel) {
-    values.push_back(std::nan(""));
-  }
-  return values;
-}
-
-// Returns false if no values fulfil the condition; true also if there are too many to try.
-bool canHold(const Condition &condition, bool anyNumber) {
-  std::map<uint8_t, std::vector<double>> values;
-  for (const Step &step : condition.steps()) {
-    if (step.which < Moment::Count) {
-      values[step.which] = valuesOf(step.which, condition.steps(), anyNumber);
-    }
-  }
-  Moment moment;
-  moment.values[Moment::State] = static_cast<double>(sbus::LinkState::Ok);
-  std::vector<size_t> at(values.size());
-  for (int tries = 0; tries < TriesMost; tries++) {
-    size_t i = 0;
-    for (const auto &[which, all] : values) {
-      moment.values[which] = all[at[i++]];
-    }
-    if (condition.holds(moment)) {
-      return true;
-    }
-    i = 0;
-    for (auto next = values.begin(); next != values.end() && ++at[i] == next->second.size(); ++next) {
-      at[i++] = 0;
-    }
-    if (i == at.size()) {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 Moment::Moment(Observer &observer, uint64_t nowUs, bool isRejected) {
@@ -324,10 +262,7 @@ Moment::Moment(Observer &observer, uint64_t nowUs, bool isRejected) {
 }
 
 Condition::Condition(std::string_view text, const Shown &shown, bool maybeBoard) {
-  const bool anyNumber = maybeBoard || !shown;
-  if (Parser(text, shown, anyNumber, _steps, _error).all() && !canHold(*this, anyNumber)) {
-    _error = {Never, 0, text.size()};
-  }
+  Parser(text, shown, maybeBoard || !shown, _steps, _error).all();
 }
 
 bool Condition::needsTime() const {

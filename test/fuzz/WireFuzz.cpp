@@ -8,7 +8,7 @@
 
 #include "fuzz/Require.h"
 #include "line/capture/CsvReader.h"
-#include "line/capture/SampleReaders.h"
+#include "line/capture/SessionReader.h"
 #include "line/capture/WireDecoder.h"
 #include "support/WireText.h"
 

@@ -1,20 +1,24 @@
 // Decodes the characters of the wire by a UART's rules; captures that are cut off or malformed.
+#include "line/uart/Levels.h"
 #include "support/Decoded.h"
 
-TEST_CASE(
-    "the paper's bits, chapter 4.1, have a framing error in byte 2, a parity error in byte 3, and no other error") {
-  const Decoded decoded(
-      "1 00001111 1001 00111000 0001 00111111 1101 00000111 1001 00101011 1001 11111100 1001 00011100 0001 10101111 1001");
-  const Bytes expected = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};
-  REQUIRE(decoded.characters.size() == expected.size());
-  for (size_t i = 0; i < expected.size(); i++) {
+TEST_CASE("a framing error in byte 2 and a parity error in byte 3 are told apart, and there is no other error") {
+  const Bytes bytes = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};
+  TestWire wire;
+  for (size_t i = 0; i < bytes.size(); i++) {
+    const bool parity = line::isOdd(bytes[i]) != (i == 3);
+    wire.character(bytes[i] | parity << 8 | (i == 2 ? 2u : 3u) << 9);
+  }
+  wire.gap(1e6);
+  const Decoded decoded(textOf(wire, TestFormat::Vcd), "RX");
+  REQUIRE(decoded.characters.size() == bytes.size());
+  for (size_t i = 0; i < bytes.size(); i++) {
     INFO("byte ", i);
-    CHECK(decoded.characters[i].value == expected[i]);
-    CHECK(decoded.characters[i].startNs == static_cast<int64_t>(i) * 120000);
+    CHECK(decoded.characters[i].value == bytes[i]);
+    CHECK(decoded.characters[i].startNs == 2000000 + static_cast<int64_t>(i) * 120000);
     CHECK(decoded.characters[i].stopWrong == (i == 2));
     CHECK(decoded.characters[i].parityWrong == (i == 3));
   }
-  CHECK(decoded.wire.settings.polarity == line::Polarity::Inverted);
 }
 
 TEST_CASE("glitches, breaks and the character after them are decoded as a UART does") {
@@ -61,7 +65,7 @@ TEST_CASE("a malformed capture is rejected: the message has the line, what is wr
       {"", "is empty: a capture of a wire is expected"},
       {"beef 0F E3\n", "is not a known capture of a wire"},
       {"0\n1\n0\n1\n", "does not say when its samples were taken"},
-      {"hello\nworld\n", "is not a known capture of a wire: VCD, CSV of Saleae Logic 2"},
+      {"hello\nworld\n", "is not a known capture of a wire: VCD, or CSV of Saleae Logic 2"},
       {"0,1\n0,1\n1,0\n", "does not say when its samples were taken"},
       {"$timescale 1 us $end\n", "1: ends within its header: $enddefinitions $end is expected"},
       {"$timescale 3 us $end\n", "1: \"3us\" is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected"},

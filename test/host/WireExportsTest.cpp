@@ -1,40 +1,10 @@
-// Captures that a program has processed: Saleae's table of characters, sigrok-cli's rows, sessions of sigrok.
+// Captures that a program has processed: Saleae's table of characters, sessions of sigrok.
 #include "line/capture/Parsing.h"
 #include "support/Decoded.h"
 
 using line::lower;
 
 namespace {
-
-// Prints as sigrok-cli -O bits and -O hex do (libsigrok, src/output/bits.c:101 to 111 and 142 to 185,
-// src/output/hex.c:154 to 205): `width` samples a line, in groups of eight, the last hexadecimal digits filled up with
-// zeros; a line with T where it was triggered.
-std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggered = false) {
-  const std::string samples = sampled(wire, 1000);
-  std::string levels[2];
-  for (size_t at = samples.find("logic\n") + 6, i = 0; at < samples.size(); at += 2, i++) {
-    levels[0] += i / 3 % 2 == 0 ? '0' : '1';  // a clock
-    levels[1] += samples[at];
-  }
-  std::string text = "libsigrok 0.5.2\nAcquisition with 2/8 channels at 1 MHz\n";
-  for (size_t from = 0; from < levels[0].size(); from += width) {
-    for (const size_t signal : {0u, 1u}) {
-      const std::string row = levels[signal].substr(from, width);
-      text += signal == 0 ? "CLK:" : "RX:";
-      for (size_t i = 0; i < row.size(); i += 8) {
-        unsigned byte = 0;
-        const std::string bits = row.substr(i, 8);
-        for (const char bit : bits + std::string(8 - bits.size(), '0')) {
-          byte = byte << 1 | static_cast<unsigned>(bit == '1');
-        }
-        text += hex ? printed("%.2x ", byte) : (i > 0 ? " " : "") + bits;
-      }
-      text += "\n";
-    }
-    text += triggered && from == 0 ? "T:    ^ 4\n" : "";
-  }
-  return text;
-}
 
 // Returns what Saleae's analyser exports for the known frames, with a character every `characterNs`. Logic 1:
 // saleae/serial- analyzer, src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each
@@ -94,7 +64,6 @@ TEST_CASE("characters that Saleae's analyser has decoded give the same bytes at 
        replaced(replaced(logic2, "\"data\",\"error\"", "\"error\",\"data\""), ",0x", ",,0x"), "Async Serial"},
       {"Logic 2, binary", binary, "Async Serial"},
       {"Logic 2, small letters", lower(logic2).replace(0, title.size(), title), "async serial"},
-      {"Logic 2, dates", replaced(logic2, "\"data\",0.", "\"data\",2021-12-31T23:59:59."), "Async Serial"},
       {"Logic 2, a name of its own", replaced(logic2, "Async Serial", "RX"), "RX"},
       {"Logic 2, another analyser", replaced(logic2, title, title + i2c), "Async Serial"},
       {"Logic 2, two that take turns", replaced(logic2, "0x0F,", "0x0F,\n\"B\",\"data\",0.0021,1e-4,0x55,"),
@@ -159,48 +128,6 @@ TEST_CASE(
   CHECK(holds(Decoded(two).failure,
               "signal Async Serial has 100 good characters and 0 with errors: is the analyser set to the baud rate, 8 "
               "bits, even parity, 2 stop bits and inverted? No signal"));
-}
-
-TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal digits, in lines of any width") {
-  for (const bool hex : {false, true}) {
-    for (const size_t width : {size_t{8}, size_t{64}, size_t{192}, size_t{4000}, hex ? size_t{40} : size_t{13}}) {
-      for (const bool triggered : {false, true}) {
-        INFO("hex ", hex, ", width ", width, ", triggered ", triggered);
-        const Decoded decoded(sigrokOf(wireOf(), hex, width, triggered));
-        CHECK(decoded.error == "");
-        CHECK(decoded.format == (hex ? "sigrok hex" : "sigrok bits"));
-        CHECK(decoded.signal == "RX");
-        CHECK(decoded.bytes() == All);
-        REQUIRE(!decoded.characters.empty());
-        CHECK(std::abs(decoded.characters.front().startNs - 2000000) <= 1000);
-      }
-    }
-  }
-  const std::string bits = sigrokOf(wireOf(), false, 64);
-  const std::string noRate = replaced(bits, " at 1 MHz", "");
-  line::Overrides told;
-  told.periodNs = 1000;
-  CHECK(Decoded(noRate, told).bytes() == All);
-  CHECK(Decoded(replaced(bits, "1 MHz", "3 MHz"), told).bytes() == All);
-  const std::string begin = "libsigrok 0.5.2\nAcquisition with 2/8 channels at 1 MHz\n";
-  const struct {
-    std::string text, error;
-  } rows[] = {
-      {noRate, "2: does not say when its samples were taken: --sample-rate is expected"},
-      {replaced(bits, "with 2/8", "with 0/8"),
-       "2: there are no signals: \"Acquisition with 1/8 channels\" or more is expected"},
-      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4: is longer than a year: is its sample rate right?"},
-      {begin + "CLK:0101\n", "3: the samples of 2 signals are expected, but only those of 1 came"},
-      {begin + "CLK:01\nRX:011\n", "4: there are 3 samples: as many as above, 2, are expected"},
-      {begin + "CLK:0\nRX:1\nRX:1\n", "5: \"RX\" is found where samples of \"CLK\" are expected"},
-      {begin + "CLK:0101 0102\n", "3: \"2\" is not a bit: 0 or 1 is expected"},
-      {begin + "CLK:0f g0\n", "3: \"g\" is not a hexadecimal digit"},
-      {begin + "0101\n", "3: \"0101\" has no samples: a signal's name, a colon and samples are expected"},
-  };
-  for (const auto &row : rows) {
-    INFO(row.error);
-    CHECK(Decoded(row.text).error == row.error);
-  }
 }
 
 TEST_CASE("a session of sigrok is read: its metadata, and samples in pieces of any size") {

@@ -110,7 +110,6 @@ TEST_CASE("a sender with one stop bit is read, and named: 8E1") {
 TEST_CASE("options overrule what was found") {
   const std::string samples = sampled(wireOf(), 1000);
   const std::string noRate = samples.substr(samples.find('\n') + 1);
-  const std::string bits = replaced(noRate.substr(noRate.find('\n') + 1), "0\n0\n0\n0\n", "0000\n");
   const std::string fast = textOf(wireOf(9400), TestFormat::Saleae);  // 6 % off
   const std::string volts = textOf(wireOf(), TestFormat::Scope);
   const auto overrides = [](unsigned long baud, double periodNs, std::optional<double> volt) {
@@ -132,7 +131,6 @@ TEST_CASE("options overrule what was found") {
       {"a rate", noRate, overrides(0, 1000, {}), true},
       {"the file's rate is wrong", replaced(samples, "1000000.0", "1500000.0"), overrides(0, 1000, {}), true},
       {"the file's times are wrong", replaced(volts, "(ms)", "(s)"), overrides(0, 1000, {}), true},
-      {"samples without a title", bits, overrides(0, 1000, {}), true},
       {"a threshold on the slope", volts, overrides(0, 0, 1.2), true},
       {"a threshold above it all", volts, overrides(0, 0, 5), false},
   };

@@ -113,7 +113,7 @@ export default async function () {
     ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
     ['digital.bin', '<SALEAE>\0\0', 'digital.bin: is Logic 2\'s binary export: export it as CSV'],
     ['logic.sal', pack([['meta.json', Buffer.from('{}')], ['digital-0.bin', Buffer.from('1')]]), 'logic.sal: is a capture of Saleae\'s Logic 2: export it as CSV (File, Export Raw Data)'],
-    ['seven.bin', Buffer.from(frames.flat().map((byte) => byte & 0x7f)), /^This cannot be played: seven\.bin: no byte is above 7F: bit 7 was stripped, and the channels are wrong; /],
+    ['utf8.bin', Buffer.from(String.fromCharCode(...frames.flat()), 'utf8'), /^This cannot be played: utf8\.bin: its bytes went through UTF-8: a program took them for text; /],
   ]) {
     await check(`${name} is rejected with the message of the command, and the simulation continues`, async (page) => {
       await choose(page, name, content);
@@ -134,7 +134,7 @@ export default async function () {
     ['a capture that begins before its trigger', 'wire.csv', early],
     ['rows in German', 'rows-de.csv', table.replaceAll(',', ';').replaceAll('.', ',')],
     ['a recording of one', 'wire.txt', `# 100000 baud, 8E2, inverted\n${times}\n`],
-    ['raw bytes whose LF became CR LF', 'crlf', Buffer.from(frames.flatMap((bytes) => bytes.toSpliced(5, 1, 13, 10)))],
+    ['raw bytes', 'raw', Buffer.from(frames.flat())],
     ['a dump', 'dump.txt', frames.flat().map((_, i, all) => (i % 16 ? '' : `${i.toString(16).padStart(8, '0')}  ${words(all.slice(i, i + 16))}\n`)).join('')],
     ['JSON lines', 'lines.json', lines((bytes, i) => JSON.stringify({ type: 'frame', time_us: 9000 * i - 12345, channels: bytes.slice(0, 16) }))],
   ]) {

@@ -84,8 +84,8 @@ export default async function () {
   });
 
   await check('a recording that says when it began has date and time beside its name', async (page) => {
-    await play(page, 'began.txt', `# format 1, began 2026-11-24T15:16:18Z\n${recorded(9000, frame([1000]))}`);
-    const local = await page.evaluate(() => new Date('2026-11-24T15:16:18Z').toLocaleString());
+    await play(page, 'began.txt', `# format 1, began 2026-11-24T15:16:18.000000Z\n${recorded(9000, frame([1000]))}`);
+    const local = await page.evaluate(() => new Date('2026-11-24T15:16:18.000000Z').toLocaleString());
     await reads(page, '#title', `Recording began.txt, of ${local}`);
   });
 

@@ -19,7 +19,7 @@ function flight(random) {
   const lost = chance(0.3) ? 0 : random() ** 4;
   const [failsafes, silences, damages, lates] = [0.004, 0.002, 0.01, 0.002].map((part) => (chance(0.5) ? part * random() : 0));
   const isPort = chance(0.3);
-  let text = chance(0.3) ? '# format 1, began 2026-11-24T15:16:18Z\n' : '';
+  let text = chance(0.3) ? '# format 1, began 2026-11-24T15:16:18.000000Z\n' : '';
   let failsafe = 0;
   let us = Math.floor(1e6 * random()); // sbus remarks on two silent seconds
   for (const endUs = us + 2e6 + 2e7 * random(); us < endUs; us += period) {

@@ -55,7 +55,6 @@ export default async function () {
       ['ch5 > 2047', 'Character 7: a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected.', 6, 10],
       ['age > 50', 'Character 7: a time with its unit, such as 50ms or 0.05s, is expected.', 6, 8],
       ['ch33 > 1', 'Character 1: a channel from ch1 to ch32 is expected.', 0, 4],
-      ['failsafe && !failsafe', 'Character 1: a condition that can hold is expected: perhaps || instead of &&.', 0, 21],
       ['failsafe or ch5 ? 3', 'Character 17: <, <=, >, >=, = or != is expected.', 16, 17],
       ['ch5 > 1500 volt', 'Character 12: &&, || or the end is expected.', 11, 15],
     ]) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "line/capture/SampleReaders.h"
+#include "line/capture/SessionReader.h"
 #include "line/capture/WireDecoder.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"

@@ -84,33 +84,14 @@ def mso(capture):  # Saleae: a waveform each trigger; Trigger [s] begins again
     return "Trigger [s],Time [s],SBUS\n" + rows
 
 
-def probes(head, row, bit):
-    """Rigol's logic probe: eight wires a column, D0 is bit 0. Only this bit of 16 is the wire; its neighbours are clocks."""
-    def text(capture):
-        rows = []
-        for i, (us, level) in enumerate(capture.levels()):
-            word = level << bit | (i // 3 % 2) << (bit ^ 1) | (i // 50 % 2) << (bit ^ 8)
-            rows.append(row.format(i=i, s=us / 1e6, low=word & 255, high=word >> 8))
-        return head.format(-capture.zero / 1e6) + "".join(rows)
-    return text
-
-
 LAYOUTS = {
     "Rigol DS1000Z": headed("X,CH1,Start,Increment,\nSequence,Volt,{:e},1.0e-06\n", "{i},{v:e},,\n"),
-    "Rigol DS1000Z with its digital probes": headed("X,CH1,D7-D0,D15-D8,Start,Increment,\nSequence,Volt,,,{:e},1.0e-06\n", "{i},{v:e},0x00,0xFF,\n"),
-    # "Oscilloscope Waveform Analyzer" of ElmueSoft, LoadConfigRigol1000Z(): 0x00 for a pod of eight.
-    "Rigol MSO1000Z, wire on D3": probes("X,CH1,D7-D0,D15-D8,Start,Increment,\nSequence,Volt,,,{:e},1.0e-06\n",
-                                         "{i},4.00e-02,0x{low:02X},0x{high:02X},\n", 3),
-    # A Rust converter for the probe PLA2216, "From Rigol support: ... channel 0 is bit 0 and channel 7 is bit 7"; pods are reals.
-    "Rigol MSO5000, wire on D9": probes("Time(s),D7-D0,D15-D8,t0 = {}s, tInc = 1e-06,\n", "{s:.6E},{low:.6E},{high:.6E},,\n", 9),
     "Rigol MSO5000": table("Time(s),CH1(V)\n", "{s:.6e},{v:.4f}\n"),
     "Rigol DS2000": table("Time(s),CH1V\n", "{s:e},{v:e}\n"),
     "Rigol DHO": headed("CH1V,t0 ={:e},tInc =1.0e-06,\n", "{v:e},,\n"),
     "Keysight": table("x-axis,1\nsecond,Volt\n", "{s:+.6E},{v:+.3E}\n"),
     "Keysight, two channels, a last row cut": table("x-axis,1,2\nsecond,Volt,Volt\n", "{s:+.6E},{v:+.3E},+1.0E-02\n", "+1.0E-01,+0.0E+00\n"),
     "Keysight Infiniium": headed("Revision:,0\nType:,Raw\nPoints:,25000\nXDispRange:,2.5E-02\nXInc:,1.0E-06\nXOrg:,{:E}\nYUnits:,Volts\nData:,\n", "{v:E}\n"),
-    "Yokogawa DLM": headed('"Header Size",16\n"TraceName","CH1"\n"VUnit","V"\n"SampleRate",1.0E+06\n"HResolution",1.0E-06\n"HOffset",{:E}\n"HUnit","s"\n\n',
-                           "{v:E},\n"),
     "LeCroy": table("LECROYHDO4054,12345,Waveform\nSegments,1,SegmentSize,25000\nSegment,TrigTime,TimeSinceSegment1\n"
                     "#1,11-May-2021 18:12:30,0\nTime,Ampl\n", "{s:.9e},{v:.5f}\n"),
     "PicoScope": table("Time,Channel A\n(ms),(V)\n\n", "{ms:.8f},{v:.8f}\n"),

@@ -59,15 +59,10 @@ WAYS = {
     "pipes": lines(numbers("%02x", "|")),
     "dots": lines(numbers("%02x", ".")),
     "tabs": lines(numbers("%02x", "\t")),
-    "h behind": lines(numbers("%02Xh", " ")),
-    "$ before": lines(numbers("$%02X", " ")),
-    "&H before": lines(numbers("&H%02X", " ")),
-    "% before": lines(numbers("%%%02X", "")),
     "\\x before": lines(ESCAPED),
     "\\x in quotation marks": lines(lambda data, i: '"' + ESCAPED(data) + '"'),
     "in brackets": lines(numbers("[%02X]", " ")),
     "in braces": lines(numbers("{%02X}", "")),
-    "in angles": lines(numbers("<%02X>", "")),
     "in quotation marks": lines(lambda data, i: '"' + UPPER(data) + '"'),
     "Python bytes": lines(lambda data, i: repr(data)),
     "Python bytearray": lines(lambda data, i: repr(bytearray(data))),
@@ -93,7 +88,6 @@ WAYS = {
     "C string": lines(lambda data, i: f'const char *frame = "{ESCAPED(data)}";'),
     "xxd -i": "unsigned char a_bin[] = {\n" + rows(ALL, 12, lambda at, row: "  " + COMMAS(row) + ",") + "};\nunsigned int a_bin_len = 100;\n",
     "Node": lines(lambda data, i: f"<Buffer {LOWER(data)}>"),
-    "Node, JSON": lines(lambda data, i: json.dumps({"type": "Buffer", "data": list(data)})),
     "JavaScript": lines(lambda data, i: f"Uint8Array(25) [ {DECIMAL(data)} ]"),
     "Go": lines(lambda data, i: "[]byte{" + ", ".join("0x%x" % byte for byte in data) + "}"),
     "Go, decimal": lines(lambda data, i: "[" + " ".join("%d" % byte for byte in data) + "]"),
@@ -112,8 +106,6 @@ WAYS = {
     "prompt": lines(lambda data, i: "> " + UPPER(data)),
     "arrow": lines(lambda data, i: "<- " + UPPER(data)),
     "a number and an arrow": lines(lambda data, i: f"12 -> {UPPER(data)}"),
-    "one address for all": lines(lambda data, i: f"0x20000400 {UPPER(data)}"),
-    "two columns and text": rows(ALL, 16, lambda at, row: f"{LOWER(row[:8])}  {LOWER(row[8:])}   {ascii(row)}"),
     "Arduino's serial monitor": lines(lambda data, i: f"18:12:30.{i}45 -> {UPPER(data)}"),
     "time": lines(lambda data, i: f"18:12:30 {UPPER(data)}"),
     "time in brackets": lines(lambda data, i: f"[18:12:30.{i}45] {UPPER(data)}"),
@@ -132,7 +124,6 @@ WAYS = {
     "Wireshark": rows(ALL, 16, lambda at, row: f"{at:04x}  {LOWER(row[:8])}  {LOWER(row[8:])}   {ascii(row)}"),
     "offsets of four digits": rows(ALL, 16, lambda at, row: f"{at:04x}: {LOWER(row)}"),
     "offsets of four digits from 1000 on": rows(ALL, 16, lambda at, row: f"{0x1000 + at:04x}: {LOWER(row)}"),
-    "offsets with a colon within": rows(ALL, 16, lambda at, row: f"{at >> 8:02x}:{at & 255:02x}: {LOWER(row)}"),
     "gdb": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x}:\t" + "\t".join("0x%02x" % byte for byte in row)),
     "gdb with a name": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x} <frames+{at}>:\t" + "\t".join("0x%02x" % byte for byte in row)),
     "frames and CR LF": lines(lambda data, i: UPPER(data + b"\r\n")),
@@ -144,10 +135,9 @@ WAYS = {
 }
 
 # What tools print, by the tools. {} is the file.
-TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -e {}", "xxd -u {}", "xxd -b {}", "xxd -p {}", "xxd -ps -c 25 {}",
-         "xxd -i {}", "hexdump -C {}", "hexdump {}", "hexdump -x {}", "hexdump -b {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
-         "od {}", "od -x {}", "od -t x1 {}", "od -A x -t x1 {}", "od -A d -t x1 {}", "od -A n -t x1 {}", "od -A x -t x1z {}", "od -b {}",
-         "od -t u1 {}", "od -t d1 {}", "od -t x4 {}", "od -c {}", "od -An -v -tx1 -w25 {}"]
+TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -u {}", "xxd -p {}", "xxd -ps -c 25 {}", "xxd -i {}",
+         "hexdump -v -C {}", "hexdump -v {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
+         "od -v -x {}", "od -v -t x1 {}", "od -v -A x -t x1 {}", "od -v -A d -t x1 {}", "od -A n -v -t x1 {}", "od -An -v -tx1 -w25 {}"]
 
 
 def frames_of(text, how):
@@ -169,7 +159,8 @@ def main():
         with open(f"{WORK}/a.bin", "wb") as file:
             file.write(data)
         for tool in TOOLS:
-            if shutil.which(tool.split()[0]):
+            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "od -v -x {}")  # to whole words
+            if shutil.which(tool.split()[0]) and not isPadded:
                 ways[f"{tool.format('FILE')} of {name}"] = subprocess.run(tool.format("a.bin"), shell=True, cwd=WORK, capture_output=True, text=True, encoding="latin-1").stdout
     good = 0
     tried = 0

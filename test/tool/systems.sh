@@ -34,7 +34,7 @@ for recording in paper frsky-neutral sbus2; do
   verdict $? "$file gives the same as JSON lines from a pipe"
 done
 
-# 0A, 0D and 1A end lines and files of a text on Windows. (80: otherwise bit 7 counts as stripped.)
+# 0A, 0D and 1A end lines and files of a text on Windows.
 printf '\017\012\015\012\032\015\015\012\032\012\015\012\032\012\015\012\032\012\015\012\032\012\200\000\000' >"$work/frame"
 cat "$work/frame" "$work/frame" "$work/frame" >"$work/line.bin"
 bytes='0F 0A 0D 0A 1A 0D 0D 0A 1A 0A 0D 0A 1A 0A 0D 0A 1A 0A 0D 0A 1A 0A 80 00 00  frame end 00'

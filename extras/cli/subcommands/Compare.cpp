@@ -83,7 +83,7 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
           '\n' + lostText(counts, 0, zeroUs) + lostText(counts, 1, zeroUs);
   if (counts.late[0] + counts.late[1] > 0) {
-    text += line::format("not compared %lu of A, %lu of B: the PC was late, or the delay not known yet\n",
+    text += line::format("not compared %lu of A, %lu of B: the PC was late\n",
                          counts.late[0], counts.late[1]);
   }
   text += "first        " + differenceText(counts.first, zeroUs) + '\n';

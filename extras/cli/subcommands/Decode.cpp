@@ -166,7 +166,7 @@ void addDecode(CLI::App &app) {
   subcommand
       .option("CAPTURE", options->capture,
               "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
-              "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
+              "table of Saleae's Async Serial; "
               "each also packed (.gz, .xz, .zip); - is standard input")
       .required()
       .notEmpty()

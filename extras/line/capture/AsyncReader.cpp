@@ -86,7 +86,6 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
     settings.baud = row.ns - before[row.analyser] < FastNs ? 2 * sbus::Baud : settings.baud;
     before[row.analyser] = row.ns;
   }
-  _columns.time.zeroNs = INT64_MIN;  // read() set it for the head
   _bitNs = baud > 0 ? 1e9 / static_cast<double>(baud) : static_cast<double>(settings.bitNs());
   _wires.resize(_analysers.size());
   _sink.fromCharacters();

@@ -5,31 +5,9 @@
 #include "line/capture/AsyncReader.h"
 #include "line/capture/CsvReader.h"
 #include "line/capture/Parsing.h"
-#include "line/capture/SampleReaders.h"
 #include "line/capture/VcdReader.h"
 
 namespace line {
-
-namespace {
-
-// Returns true for a text of only 0, 1, blanks and comments. Some line must have several bits: otherwise it may be a
-// column of samples. A tab before two digits is a recording's: a time, then bytes.
-bool isBits(std::string_view head) {
-  bool any = false;
-  while (!head.empty()) {
-    std::string_view line = takeLine(head);
-    line = trimmed(line.substr(0, line.find('#')));
-    const size_t tab = line.find('\t');
-    const bool isTime = tab != std::string_view::npos && line.substr(tab + 1).find_first_of(" \t") == 2;
-    if (isTime || line.find_first_not_of("01 \t") != std::string_view::npos) {
-      return false;
-    }
-    any = any || line.size() > 1;
-  }
-  return any;
-}
-
-}  // namespace
 
 std::string CaptureReader::nextSample(double periodNs) {
   const double ns = static_cast<double>(_samples) * periodNs;
@@ -55,7 +33,8 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
   OpenedCapture opened;
   bool analogue = false;
   const std::string_view begin = trimmed(head).substr(0, 4);  // such as $date
-  const bool isVcd = begin.size() == 4 && begin.front() == '$' && begin.find_first_not_of("abcdefghijklmnopqrstuvwxyz", 1) == begin.npos;
+  const bool isVcd = begin.size() == 4 && begin.front() == '$' &&
+                     begin.find_first_not_of("abcdefghijklmnopqrstuvwxyz", 1) == begin.npos;
   const bool isAsync = AsyncReader::isHead(head);
   if ((isVcd || isAsync) && overrides.periodNs > 0) {
     opened.error = "has times of its own: leave out --sample-rate";
@@ -64,10 +43,6 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
   } else if (isVcd) {
     analogue = head.find("$var real") != std::string_view::npos;
     opened.reader = std::make_unique<VcdReader>(sink, overrides.threshold);
-  } else if (SigrokTextReader::isHead(head)) {
-    opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrides.periodNs);
-  } else if (isBits(head)) {
-    opened.reader = std::make_unique<BitsReader>(sink, overrides.periodNs);
   } else {
     CsvLayout layout;
     opened.error = trimmed(head).empty() ? "is empty: a capture of a wire is expected"

@@ -1,7 +1,6 @@
 #include "line/capture/CsvLayout.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "line/capture/Capture.h"
@@ -14,23 +13,22 @@ namespace {
 constexpr size_t RowsMax = 2000;                 // rows of the head to examine
 constexpr std::string_view Separators = ";\t,";  // with another separator, a comma is a decimal point
 
-// What the rows do not hold, by the name that instruments give it. The value is beside the name, below it, or behind : or =.
+// What the rows do not hold, by the name that instruments give it. The value is beside the name, below it, or behind :
+// or =.
 enum class What { Rate, Period, Start, Names };
 constexpr struct {
   std::string_view name;
   What what;
 } Facts[] = {
-    {"samplerate", What::Rate},     // PulseView: "; Samplerate: 1 MHz"
-    {"sample rate", What::Rate},    // DSView, WaveForms
-    {"channels (", What::Names},    // PulseView, DSView: "; Channels (2/8): D0, D1"
-    {"interval", What::Period},     // OWON: "Time interval:,0.50000us"; Tektronix, Siglent
-    {"xinc", What::Period},         // Keysight Infiniium: "XInc:,1E-06", "XOrg:,-5E-03", then volts alone
+    {"samplerate", What::Rate},   // PulseView: "; Samplerate: 1 MHz"
+    {"sample rate", What::Rate},  // DSView, WaveForms
+    {"channels (", What::Names},  // PulseView, DSView: "; Channels (2/8): D0, D1"
+    {"interval", What::Period},   // OWON: "Time interval:,0.50000us"; Tektronix, Siglent
+    {"xinc", What::Period},       // Keysight Infiniium: "XInc:,1E-06", "XOrg:,-5E-03", then volts alone
     {"xorg", What::Start},
-    {"hresolution", What::Period},  // Yokogawa DLM: "HResolution",1.0E-06; "HOffset"
-    {"hoffset", What::Start},
-    {"tinc", What::Period},         // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
+    {"tinc", What::Period},  // Rigol DHO: "CH1V,t0 =-5.0e-04,tInc =1.0e-06"
     {"t0", What::Start},
-    {"increment", What::Period},    // Rigol DS1000Z: "X,CH1,Start,Increment" above "Sequence,Volt,-5e-03,1e-06"
+    {"increment", What::Period},  // Rigol DS1000Z: "X,CH1,Start,Increment" above "Sequence,Volt,-5e-03,1e-06"
     {"start", What::Start},
 };
 
@@ -43,21 +41,8 @@ bool isNumber(std::string_view field) {
   return parseNumber(field, value);
 }
 
-// Returns the lowest of the eight probes in Rigol's columns "D7-D0" and "D15-D8", or -1. It is bit 0.
-int podOf(std::string_view title) {
-  const size_t hyphen = title.find("-D");
-  int high = 0, low = 0;
-  const bool isPod = hyphen != title.npos && title.front() == 'D' && parseWhole(title.substr(1, hyphen - 1), high) &&
-                     parseWhole(title.substr(hyphen + 2), low) && high == low + 7;
-  return isPod ? low : -1;
-}
-
 bool isValue(std::string_view field) {
-  const char *at = field.data();
-  double volts;
-  int64_t ns;
-  return field.empty() || isLogic(field) || parseTimestamp(field, ns) ||
-         (takeVoltage(at, field.data() + field.size(), volts) && at == field.data() + field.size());
+  return field.empty() || isLogic(field) || isNumber(field);
 }
 
 bool isRow(const Fields &fields) {
@@ -127,7 +112,9 @@ struct Header {
     const std::string small = lower(line);
     // DSView is derived from sigrok, and its header says so up to version 1.1; its times are in seconds.
     const bool isDsView = small.find("dsview") != std::string::npos || small.find("sigrok4dsl") != std::string::npos;
-    program = isDsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
+    program = isDsView                                                       ? "DSView"
+              : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView"
+                                                                             : program;
     const size_t colon = line.find(": ");
     if (colon != std::string_view::npos) {
       take(line.substr(0, colon), line.substr(colon + 2));
@@ -224,17 +211,12 @@ bool grows(const std::vector<Fields> &rows, size_t column, bool counts) {
 std::vector<CsvSignal> signalsOf(const Header &header, const std::vector<size_t> &columns) {
   std::vector<CsvSignal> signals;
   for (const size_t column : columns) {
-    std::string name = header.names.size() == columns.size() ? header.names[signals.size()]
-                       : column < header.titles.size()       ? header.titles[column]
-                                                             : "";
-    const int probe = podOf(name);
-    for (int bit = 0; bit < 8 && probe >= 0; bit++) {
-      signals.push_back({"D" + std::to_string(probe + bit), column, bit});
-    }
-    const bool isTaken = std::any_of(signals.begin(), signals.end(), [&name](const CsvSignal &each) { return each.name == name; });
-    if (probe < 0) {
-      signals.push_back({name.empty() || isTaken ? std::to_string(column + 1) : name, column});
-    }
+    const std::string name = header.names.size() == columns.size() ? header.names[signals.size()]
+                             : column < header.titles.size()       ? header.titles[column]
+                                                                   : "";
+    const bool isTaken =
+        std::any_of(signals.begin(), signals.end(), [&name](const CsvSignal &each) { return each.name == name; });
+    signals.push_back({name.empty() || isTaken ? std::to_string(column + 1) : name, column});
   }
   return signals;
 }
@@ -250,8 +232,8 @@ double sigrokUnitNs(double periodNs) {
   return periodNs / std::floor(units / rate);
 }
 
-// Finds the columns of the times and of the signals. Returns true if a column counts the rows.
-bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayout &layout) {
+// Finds the columns of the times and of the signals.
+void takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayout &layout) {
   std::vector<size_t> columns;
   for (size_t i = 0; i < rows.front().size(); i++) {
     if (!rows.front()[i].empty()) {
@@ -275,7 +257,6 @@ bool takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayou
     columns.erase(columns.begin());
   }
   layout.signals = signalsOf(header, columns);
-  return isCounted;
 }
 
 bool areVoltages(const std::vector<Fields> &rows, const std::vector<CsvSignal> &signals) {
@@ -286,13 +267,11 @@ bool areVoltages(const std::vector<Fields> &rows, const std::vector<CsvSignal> &
   });
 }
 
-// Measures the time between two rows, each a sample. OWON's times go back, its samples do not: its counter counts.
-void measurePeriod(const std::vector<Fields> &rows, bool isCounted, CsvLayout &layout) {
+// Measures the time between two rows, each a sample.
+void measurePeriod(const std::vector<Fields> &rows, CsvLayout &layout) {
   double begin, end;
   if (layout.time.read(rows.front(), begin).empty() && layout.time.read(rows.back(), end).empty()) {
-    layout.periodNs = std::abs(end - begin) / static_cast<double>(rows.size() - 1);
-    layout.startNs = end < begin ? -begin : begin;
-    layout.time.column = isCounted ? TimeColumn::None : layout.time.column;
+    layout.periodNs = (end - begin) / static_cast<double>(rows.size() - 1);
   }
 }
 
@@ -315,13 +294,13 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> word
 }
 
 double unitIn(std::string_view text) {
-  return hasWord(text, {"s", "sec", "second", "seconds"})         ? 1e9
-         : hasWord(text, {"ms", "millisecond", "milliseconds"})   ? 1e6
-         : hasWord(text, {"us", "microsecond", "microseconds"})   ? 1e3
-         : hasWord(text, {"ns", "nanosecond", "nanoseconds"})     ? 1
-         : hasWord(text, {"ps"})                                  ? 1e-3
-         : hasWord(text, {"fs"})                                  ? 1e-6
-                                                                  : 0;
+  return hasWord(text, {"s", "sec", "second", "seconds"})       ? 1e9
+         : hasWord(text, {"ms", "millisecond", "milliseconds"}) ? 1e6
+         : hasWord(text, {"us", "microsecond", "microseconds"}) ? 1e3
+         : hasWord(text, {"ns", "nanosecond", "nanoseconds"})   ? 1
+         : hasWord(text, {"ps"})                                ? 1e-3
+         : hasWord(text, {"fs"})                                ? 1e-6
+                                                                : 0;
 }
 
 double unitOf(std::string_view title) {
@@ -338,35 +317,12 @@ void splitRow(std::string_view row, char separator, Fields &fields) {
   }
 }
 
-bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark) {
-  if (end - at > 2 && at[0] == '0' && at[1] == 'x') {
-    unsigned probes = 0;
-    at = std::from_chars(at + 2, end, probes, 16).ptr;
-    volts = probes;
-    return true;
-  }
-  if (takeNumber(at, end, volts, decimalMark)) {
-    return true;
-  }
-  const bool isNegative = at < end && *at == '-';
-  const char *const sign = at + isNegative;
-  const char *const behind = std::find_if(sign, end, isAscii);
-  at = behind == sign ? at : behind;
-  volts = isNegative ? -HUGE_VAL : HUGE_VAL;
-  return behind != sign;
-}
-
-std::string TimeColumn::read(const Fields &fields, double &ns) {
+std::string TimeColumn::read(const Fields &fields, double &ns) const {
   const std::string_view field = column < fields.size() ? fields[column] : "";
-  int64_t timestampNs;
-  if (parseNumber(field, ns, decimalMark)) {
-    ns *= unitNs;
-  } else if (parseTimestamp(field, timestampNs)) {
-    zeroNs = zeroNs == INT64_MIN ? timestampNs : zeroNs;
-    ns = static_cast<double>(timestampNs - zeroNs);
-  } else {
+  if (!parseNumber(field, ns, decimalMark)) {
     return quoted(field) + " is not a time: a number is expected in column " + std::to_string(column + 1);
   }
+  ns *= unitNs;
   return std::abs(ns) <= static_cast<double>(CaptureTimeMaxNs) ? "" : "a time is beyond a year: is its unit right?";
 }
 
@@ -380,10 +336,10 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   Header header;
   const std::vector<Fields> rows = takeRows(points, layout, header);
   if (rows.empty()) {
-    return "is not a known capture of a wire: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
-           "or bits as 0 and 1 are expected";
+    return "is not a known capture of a wire: VCD, or CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope is "
+           "expected";
   }
-  const bool isCounted = takeColumns(rows, header, layout);
+  takeColumns(rows, header, layout);
   TimeColumn &time = layout.time;
   if (periodNs > 0) {
     header.periodNs = periodNs;
@@ -396,8 +352,8 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
   layout.analogue = areVoltages(rows, layout.signals);
-  if (time.column != TimeColumn::None && (layout.analogue || isCounted) && rows.size() > 1) {
-    measurePeriod(rows, isCounted, layout);
+  if (time.column != TimeColumn::None && layout.analogue && rows.size() > 1) {
+    measurePeriod(rows, layout);
   }
   layout.name = !header.program.empty() ? header.program + " CSV"
                 : layout.analogue       ? OscilloscopeFormat

@@ -23,27 +23,21 @@ double unitIn(std::string_view text);
 // Returns the same; by default a second.
 double unitOf(std::string_view title);
 
-// Takes a voltage off the front: a number, 0x and hexadecimal digits, as Rigol writes eight probes, or an infinity sign,
-// which PicoScope writes beyond its range. Any character beyond ASCII counts as one. Returns false without one.
-bool takeVoltage(const char *&at, const char *end, double &volts, char decimalMark = '.');
-
-// A column of times: numbers, or timestamps, which count from the first one.
+// A column of times.
 struct TimeColumn {
   static constexpr size_t None = SIZE_MAX;
 
   size_t column = None;
   double unitNs = 1e9;
   char decimalMark = '.';
-  int64_t zeroNs = INT64_MIN;  // the first timestamp
 
   // Reads a row's time. Returns what is wrong, or nothing.
-  std::string read(const Fields &fields, double &ns);
+  std::string read(const Fields &fields, double &ns) const;
 };
 
 struct CsvSignal {
   std::string name;
   size_t column;
-  int bit = -1;  // in the column's number: Rigol writes eight probes as one; -1: it is a voltage or a level
 };
 
 struct CsvLayout {

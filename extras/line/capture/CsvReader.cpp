@@ -9,12 +9,6 @@ namespace line {
 
 namespace {
 
-// Returns the level of a probe, 0 or 1; NaN if the number does not hold eight.
-double bitOf(double probes, int bit) {
-  const bool isWord = probes >= 0 && probes <= UINT8_MAX;
-  return isWord ? static_cast<double>(static_cast<unsigned>(probes) >> bit & 1) : NAN;
-}
-
 bool isSkipped(std::string_view row) {
   return row.empty() || row.front() == ';' || row.front() == '#';
 }
@@ -26,8 +20,7 @@ CsvReader::CsvReader(CsvLayout layout, LevelSink &sink, std::optional<double> th
   _periodNs = _layout.periodNs;
   std::vector<std::string> names;
   for (const CsvSignal &signal : _layout.signals) {
-    const bool isLevel = !_layout.analogue || signal.bit >= 0;
-    _signals.push_back({AnalogueLevel(isLevel ? 0.5 : threshold), {}});
+    _signals.push_back({AnalogueLevel(_layout.analogue ? threshold : 0.5), {}});
     names.push_back(signal.name);
   }
   _sink.signals(names);
@@ -83,24 +76,20 @@ std::string CsvReader::take(std::string_view row) {
     at += at < end;
     column++;
   };
-  double value = NAN;
   for (size_t i = 0; i < _signals.size(); i++) {
-    const CsvSignal &signal = _layout.signals[i];
-    if (signal.bit <= 0) {  // otherwise the column is read
-      while (column < signal.column) {
-        skipField();
-      }
-      at = std::find_if(at, end, [](char c) { return c != ' ' && c != '"'; });
-      const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
-      any = any || !isEmpty;
-      value = NAN;
-      std::string wrong = isEmpty ? "" : takeValue(at, end, column, value);
-      if (!wrong.empty()) {
-        return wrong;
-      }
+    while (column < _layout.signals[i].column) {
       skipField();
     }
-    _signals[i].values.push_back(signal.bit < 0 ? value : bitOf(value, signal.bit));
+    at = std::find_if(at, end, [](char c) { return c != ' ' && c != '"'; });
+    const bool isEmpty = (at == end || *at == _layout.separator) && (any || !isCut || i + 1 < _signals.size());
+    any = any || !isEmpty;
+    double value = NAN;
+    std::string wrong = isEmpty ? "" : takeValue(at, end, column, value);
+    if (!wrong.empty()) {
+      return wrong;
+    }
+    skipField();
+    _signals[i].values.push_back(value);
   }
   _rows.push_back({row, _number, _lines});
   if (!_layout.analogue) {
@@ -113,7 +102,7 @@ std::string CsvReader::take(std::string_view row) {
 std::string CsvReader::takeValue(const char *at, const char *end, size_t column, double &value) const {
   const bool isLevel = end - at > 1 && at[1] == _layout.separator && (*at == '0' || *at == '1');  // most are
   value = isLevel ? *at - '0' : NAN;
-  if (isLevel || (_layout.analogue && takeVoltage(at, end, value, _layout.time.decimalMark))) {
+  if (isLevel || (_layout.analogue && takeNumber(at, end, value, _layout.time.decimalMark))) {
     return {};
   }
   const std::string_view field = trimmed({at, static_cast<size_t>(std::find(at, end, _layout.separator) - at)});

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "line/recording/WallTime.h"
-
 namespace line {
 
 namespace {
@@ -100,23 +98,6 @@ double periodOf(std::string_view rate) {
   const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
   const auto *const known = std::find_if(std::begin(Units), std::end(Units), [&unit](const auto &each) { return each.first == unit; });
   return known == std::end(Units) ? 0 : 1e9 / (number * known->second);
-}
-
-bool parseTimestamp(std::string_view word, int64_t &ns) {
-  const std::string text(word);
-  constexpr int64_t After2100 = 4133980800;  // seconds; 64 bits of ns reach 2262
-  int64_t seconds = 0;
-  const char *at = takeDate(text.c_str(), seconds);
-  if (at == nullptr || seconds < 0 || seconds >= After2100) {
-    return false;
-  }
-  double fraction = 0;
-  if (*at == '.') {
-    takeNumber(at, text.c_str() + text.size(), fraction);
-  }
-  constexpr int64_t SecondNs = 1000000000;
-  ns = seconds * SecondNs + std::llround(fraction * SecondNs);
-  return *at == '\0' || *at == 'Z' || *at == '+' || *at == '-';
 }
 
 }  // namespace line

@@ -24,10 +24,6 @@ bool takeNumber(const char *&at, const char *end, double &value, char mark = '.'
 // Reads a number. Returns false if `word` is not a number.
 bool parseNumber(std::string_view word, double &value, char mark = '.');
 
-// Reads an ISO 8601 time ("2021-05-11T18:12:30.213141000+00:00"). `ns`: since 1970, in local time. Returns false if
-// `word` is not a time.
-bool parseTimestamp(std::string_view word, int64_t &ns);
-
 // Returns the period of "1 MHz" or "1000000" in ns; 0 if it is not a rate.
 double periodOf(std::string_view rate);
 

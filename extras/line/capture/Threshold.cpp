@@ -15,25 +15,10 @@ constexpr int Bins = 256;
 Threshold::Range Threshold::rangeOf(const std::vector<double> &volts) {
   double least = HUGE_VAL;
   double most = -HUGE_VAL;
-  bool below = false;
-  bool above = false;
   for (const double v : volts) {
-    if (std::isnan(v)) {
-      continue;
-    }
-    if (std::isinf(v)) {
-      (v > 0 ? above : below) = true;
-      continue;
-    }
-    least = std::min(least, v);
-    most = std::max(most, v);
+    least = std::fmin(least, v);  // leaves NaN out
+    most = std::fmax(most, v);
   }
-  if (least > most) {  // all are infinite
-    least = most = 0;
-  }
-  const double beyond = 2 * (most > least ? most - least : 1);
-  least -= below ? beyond : 0;
-  most += above ? beyond : 0;
   return {least, most - least};
 }
 
@@ -47,7 +32,7 @@ bool Threshold::find(const std::vector<double> &volts) {
     if (std::isnan(v)) {
       continue;
     }
-    histogram[static_cast<size_t>(std::clamp((v - least) / span, 0.0, 1.0) * (Bins - 1))]++;
+    histogram[static_cast<size_t>((v - least) / span * (Bins - 1))]++;
   }
   // Otsu's method: choose the cut with the least variance within its two sides.
   double all = 0, sum = 0, squares = 0;

@@ -14,8 +14,7 @@ class Threshold {
   // For a wire that swings by `swing` volts around `middle`; 0: every crossing of the middle is an edge.
   Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
 
-  // The range of voltages. An infinite voltage, beyond the instrument's range, counts as two spans beyond the others;
-  // one that is not a number is missing.
+  // The range of voltages. One that is not a number is missing.
   struct Range {
     double least;
     double span;

@@ -11,10 +11,11 @@ namespace line {
 namespace {
 
 constexpr int64_t Ended = INT64_MAX / 2;  // up to when a side is known that has ended
-constexpr int64_t WindowUs = 50000;  // how far the delay may jump: a period of the slowest receiver, a late port
+constexpr int64_t WindowUs = 50000;       // how far the delay may jump: a period of the slowest receiver, a late port
 constexpr int64_t TryEachUs = 2000000;
-constexpr int64_t TryMostUs = 60000000;
-constexpr int64_t AgainUs = 4000000;  // for how long a delay by the times alone is doubted
+constexpr int64_t TryMostUs = 600000000;
+constexpr int64_t MinuteUs = 60000000;
+constexpr int64_t RecentUs = 4000000;
 constexpr int64_t MovedUs = 1000000;  // by which a port may be late without saying so
 
 }  // namespace
@@ -46,26 +47,12 @@ bool Aligner::isChange(size_t side, int64_t us, const Values &values) {
   return is;
 }
 
-// Notes a gap, with its length in frames, and flags that are not those of the previous frame.
-void Aligner::noteLosses(size_t side, int64_t us, const Values &values, int64_t lateUs) {
-  constexpr uint64_t FlagsBegin = 1000000;
-  Side &each = _sides[side];
-  const int64_t intervalUs = us - each.newestUs;
+void Aligner::noteRate(Side &side, int64_t us, int64_t lateUs) {
   const auto late = static_cast<uint32_t>(lateUs);
-  each.rate.put(static_cast<uint64_t>(us), late,
-                each.newestUs != NeverUs && gapOf(static_cast<uint64_t>(each.newestUs), static_cast<uint64_t>(us), late) == Gap::Ordinary);
-  if (each.newestUs != NeverUs && each.intervalUs > 0 && 2 * intervalUs > 3 * each.intervalUs) {
-    _losses.put(side, us, static_cast<uint64_t>((intervalUs + each.intervalUs / 2) / each.intervalUs));
-  } else if (each.newestUs != NeverUs) {
-    each.intervalUs = intervalUs;
-  }
-  const std::optional<Values> &newest = _newest[side];
-  if (newest && (newest->lostFrame != values.lostFrame || newest->failsafe != values.failsafe)) {
-    _losses.put(side, us, FlagsBegin + 2 * values.lostFrame + values.failsafe);
-  }
-  each.newestUs = us;
-  _losses.forgetBefore(side, us - TryMostUs);
-  _changes.forgetBefore(side, us - TryMostUs);
+  const bool isJoined = side.newestUs != NeverUs &&
+                        gapOf(static_cast<uint64_t>(side.newestUs), static_cast<uint64_t>(us), late) == Gap::Ordinary;
+  side.rate.put(static_cast<uint64_t>(us), late, isJoined);
+  side.newestUs = us;
 }
 
 // Finds out which channels both sides have. If they are others than before, the frames that wait are seen again.
@@ -107,13 +94,14 @@ void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs)
   while (!late.empty() && late.front().second < us - 2 * TryMostUs) {
     late.pop_front();
   }
-  noteLosses(side, us, values, lateUs);
+  noteRate(_sides[side], us, lateUs);
+  _changes.forgetBefore(side, us - MinuteUs);
   _sides[side].frames.push_back({us, isChange(side, us, values), values, lateUs});
   auto &changes = _sides[side].changes;
   if (_sides[side].frames.back().isChange) {
     changes.push_back(_sides[side].frames.back());
   }
-  while (!changes.empty() && changes.front().us < us - AgainUs) {
+  while (!changes.empty() && changes.front().us < us - RecentUs) {
     changes.pop_front();
   }
   setCommon();
@@ -138,7 +126,7 @@ void Aligner::checkDelay() {
   if (_by == DelayBy::Times) {
     return;
   }
-  const DelaySearch::Result result = (_by == DelayBy::Contents ? _changes : _losses).search({Ended, Ended});
+  const DelaySearch::Result result = _changes.search({Ended, Ended});
   if (!result.best.isLikely()) {
     return;
   }
@@ -150,11 +138,10 @@ std::string Aligner::evidence() const {
   if (_by == DelayBy::Times) {
     return "the times alone: not certain";
   }
-  return std::string(_by == DelayBy::Contents ? "the contents: " : "gaps and losses: ") +
-         format("%zu of %zu agree", _searched.best.agreeing, _searched.best.of) +
-         (isCertain() ? ""
-                      : format(", with another delay %zu of %zu: not certain", _searched.second.agreeing,
-                               _searched.second.of));
+  return format("the contents: %zu of %zu agree", _searched.best.agreeing, _searched.best.of) +
+         (isCertain()
+              ? ""
+              : format(", with another delay %zu of %zu: not certain", _searched.second.agreeing, _searched.second.of));
 }
 
 void Aligner::work(bool isEnd) {
@@ -162,9 +149,6 @@ void Aligner::work(bool isEnd) {
   giveUpOld(1);
   if (!_hasDelay && !findDelay(isEnd)) {
     return;
-  }
-  if (_by != DelayBy::Contents) {
-    findDelayAgain(isEnd);
   }
   std::deque<Frame> &frames = _sides[0].frames;
   while (!frames.empty()) {
@@ -201,63 +185,22 @@ bool Aligner::findDelay(bool isEnd) {
     return false;
   }
   _tryUs = knownUs + TryEachUs;
-  const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
-    return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
-  });
-  const bool isLast = isEnd || isLate;
-  _hasDelay = searchContents(isLast) || isLast;
-  if (_hasDelay) {
-    if (_by == DelayBy::Times) {
-      searchLosses();
-    }
-    const double most = std::max(perSecond(0), perSecond(1));
-    _periodUs = most > 0 ? std::clamp<int64_t>(std::llround(1e6 / most), 4000, 30000) : _periodUs;
+  const auto waitsFor = [this, knownUs](int64_t us) {
+    return std::all_of(_sides.begin(), _sides.end(), [=](const Side &side) {
+      return !side.frames.empty() && side.frames.front().us < knownUs - us;
+    });
+  };
+  const bool isLast = isEnd || waitsFor(TryMostUs);
+  const DelaySearch::Result result = _changes.search({_sides[0].knownUs, _sides[1].knownUs});
+  if (isLast || waitsFor(MinuteUs) ? result.best.isLikely() : result.isFinal()) {
+    _by = DelayBy::Contents;
+    _searched = result;
+    _delayUs = static_cast<double>(result.best.delayUs);
   }
+  _hasDelay = isLast || _by == DelayBy::Contents;
+  const double most = std::max(perSecond(0), perSecond(1));
+  _periodUs = most > 0 ? std::clamp<int64_t>(std::llround(1e6 / most), 4000, 30000) : _periodUs;
   return _hasDelay;
-}
-
-// Takes the delay at which most changes of the contents agree; until the last try, only if it is final.
-bool Aligner::searchContents(bool isLast) {
-  const DelaySearch::Result result = _changes.search(knownUs());
-  const bool isFound = isLast ? result.best.isLikely() : result.isFinal();
-  if (isFound) {
-    take(DelayBy::Contents, result);
-  }
-  return isFound;
-}
-
-// Does the same with gaps and flags, if they are certain: the wire and a port share them, two receivers do not.
-void Aligner::searchLosses() {
-  const DelaySearch::Result result = _losses.search(knownUs());
-  if (result.isCertain()) {
-    take(DelayBy::Losses, result);
-  }
-}
-
-void Aligner::take(DelayBy by, const DelaySearch::Result &result) {
-  _by = by;
-  _searched = result;
-  _delayUs = static_cast<double>(result.best.delayUs);
-}
-
-// Frames that were all alike have told nothing of the delay, and the clocks were assumed to agree. Once a change tells
-// it, what was matched wrongly since that change is not compared.
-void Aligner::findDelayAgain(bool isEnd) {
-  const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
-  if (!isEnd && knownUs < _tryUs) {
-    return;
-  }
-  _tryUs = knownUs + TryEachUs;
-  const double wrongUs = _delayUs;
-  if (!searchContents(isEnd)) {
-    return;
-  }
-  const int64_t awayUs = std::llround(std::abs(_delayUs - wrongUs));
-  const int64_t fromUs = knownUs - AgainUs - awayUs - WindowUs;
-  _sides[0].late.emplace_back(fromUs, std::max(_sides[0].knownUs, fromUs) + awayUs + WindowUs);
-  for (auto found = _found.lower_bound(fromUs - WindowUs); found != _found.end(); ++found) {
-    found->second.isLate = true;
-  }
 }
 
 // Returns true if both sides have had these channels only once within the last seconds: a resting stick may alternate
@@ -361,13 +304,11 @@ void Aligner::pairUnmatched(int64_t beforeUs) {
 }
 
 void Aligner::add(const Frame &a, const Frame &b, bool isSameContent, bool isLate) {
-  _found.emplace(
-      a.us,
-      Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate, _by});
+  _found.emplace(a.us, Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate});
 }
 
 void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
-  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us), _by};
+  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us)};
   finding.values[side] = frame.values;
   _found.emplace(us, finding);
 }
@@ -390,16 +331,14 @@ bool Aligner::isLate(int64_t us) const {
 void Aligner::giveUpOld(size_t side) {
   std::deque<Frame> &frames = _sides[side].frames;
   const Side &other = _sides[1 - side];
-  while (!_hasDelay && other.frames.empty() && !frames.empty() && frames.front().us < other.knownUs - TryMostUs) {
+  while (!_hasDelay && other.frames.empty() && !frames.empty() && frames.front().us < other.knownUs - MinuteUs) {
     addOnly(side, frames.front().us, frames.front());
     emitBefore(INT64_MAX);
     frames.pop_front();
   }
 }
 
-// As long as the times alone tell the delay, findings wait for findDelayAgain().
 void Aligner::emitBefore(int64_t us) {
-  us -= _hasDelay && _by != DelayBy::Contents && us < INT64_MAX ? AgainUs : 0;
   while (!_found.empty() && _found.begin()->first < us) {
     _onFinding(_found.begin()->first, _found.begin()->second);
     _found.erase(_found.begin());

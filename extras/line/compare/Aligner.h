@@ -1,4 +1,5 @@
-// Matches the frames of two sources by their contents. It keeps a few seconds, a minute at most.
+// Matches the frames of two sources by their contents. It keeps a few seconds; ten minutes at most, while all frames are
+// alike.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 namespace line {
 
 // What told the delay. Times: nothing; the clocks were assumed to agree.
-enum class DelayBy { Times, Losses, Contents };
+enum class DelayBy { Times, Contents };
 
 // A finding, at a time of the first source.
 struct Alignment {
@@ -31,8 +32,7 @@ struct Alignment {
   std::array<std::optional<Values>, 2> values;
   int64_t delayUs;     // of Pair: the second one's delay
   bool isSameContent;  // of Pair: all channels that both have
-  bool isLate;         // the PC was late: what it read then came some time before; or the delay was not known yet
-  DelayBy by;
+  bool isLate;         // the PC was late: what it read then came some time before
 };
 
 // Returns how many channels both have.
@@ -84,7 +84,6 @@ class Aligner {
     std::deque<std::pair<int64_t, int64_t>> late;  // when the PC was late, in the side's times
     int64_t knownUs = NeverUs;
     int64_t newestUs = NeverUs;  // of the newest frame
-    int64_t intervalUs = 0;      // before it
     FrameRate rate;
   };
 
@@ -96,13 +95,8 @@ class Aligner {
   size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const;
   void work(bool isEnd);
   bool findDelay(bool isEnd);
-  void noteLosses(size_t side, int64_t us, const Values &values, int64_t lateUs);
-  bool searchContents(bool isLast);
-  void searchLosses();
-  void take(DelayBy by, const DelaySearch::Result &result);
+  void noteRate(Side &side, int64_t us, int64_t lateUs);
   void checkDelay();
-  std::array<int64_t, 2> knownUs() const { return {_sides[0].knownUs, _sides[1].knownUs}; }
-  void findDelayAgain(bool isEnd);
   void match(const Frame &frame);
   bool pairMoved(size_t side);
   void giveUpSecond(int64_t beforeUs);
@@ -121,8 +115,7 @@ class Aligner {
   std::multimap<int64_t, Alignment> _found;
   bool _hasDelay = false;
   DelayBy _by = DelayBy::Times;
-  DelaySearch _changes;  // of the last minute: new contents
-  DelaySearch _losses;   // gaps and flags
+  DelaySearch _changes;  // of the last minute
   DelaySearch::Result _searched;
   double _delayUs = 0;  // follows the clocks
   int64_t _periodUs = 9000;

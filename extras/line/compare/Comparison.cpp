@@ -9,8 +9,6 @@ namespace line {
 
 namespace {
 
-constexpr int64_t MovedUs = 20000;  // another delay, not a late port
-
 bool isFlagged(const Values &values) {
   return values.lostFrame || values.failsafe;
 }
@@ -91,34 +89,15 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
 }
 
-// Only the best delays count: those by contents before those by losses or by the times alone, and then those that were read on time.
+// Delays of frames that were read on time replace those of late ones.
 void Comparison::putDelay(int64_t us, const Alignment &found) {
-  const int rank = 2 * static_cast<int>(found.by) + (found.isLate ? 0 : 1);
-  if (rank > _delayRank) {
-    if (_byTimes && found.by != DelayBy::Times && std::abs(found.delayUs - _counts.delays.medianUs()) > MovedUs) {
-      takeBack();
-    }
-    _byTimes = found.by == DelayBy::Times;
-    _delayRank = rank;
-    _counts.areDelaysLate = found.isLate;
+  if (_counts.areDelaysLate && !found.isLate) {
+    _counts.areDelaysLate = false;
     _counts.delays = Delays();
   }
-  if (rank == _delayRank) {
+  if (found.isLate == _counts.areDelaysLate) {
     _counts.delays.put(us, found.delayUs);
   }
-}
-
-// The times alone have told a wrong delay: frames that were alike are the same with any delay, all others were not those
-// of one time.
-void Comparison::takeBack() {
-  for (const size_t side : {size_t{0}, size_t{1}}) {
-    _counts.late[side] += _counts.different + _counts.lost[1 - side];
-    _open[side].reset();
-  }
-  _counts.different = 0;
-  _counts.lost = _counts.spans = {};
-  _counts.longest = {};
-  _counts.first.reset();
 }
 
 void Comparison::lose(size_t side, int64_t us, bool isMissing) {

@@ -88,7 +88,6 @@ class Comparison {
   void take(int64_t us, const Alignment &found);
   void putPair(int64_t us, const Alignment &found);
   void putDelay(int64_t us, const Alignment &found);
-  void takeBack();
   void lose(size_t side, int64_t us, bool isMissing);
   void end(size_t side);
 
@@ -98,8 +97,6 @@ class Comparison {
   Counts _counts;
   std::array<std::optional<Span>, 2> _open;
   bool _anyPair = false;
-  bool _byTimes = false;  // these delays
-  int _delayRank = -1;  // of the delays that count: see putDelay()
 };
 
 }  // namespace line

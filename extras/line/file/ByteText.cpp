@@ -1,57 +1,165 @@
 #include "line/file/ByteText.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "line/recording/Words.h"
 #include "sbus/Frame.h"
 
 namespace line {
 
-using namespace words;
-
 namespace {
 
-constexpr size_t HeadLines = 200;           // to examine
-constexpr size_t PerLineMost = 1024;        // bytes, in a dump
-constexpr uint64_t RepeatedMost = 1 << 20;  // bytes, by the * of a dump
+constexpr size_t HeadLines = 200;  // to examine
+constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
+constexpr size_t GroupsMost = 4;   // on a line with fewer bytes: date, time, milliseconds, bytes
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
 
+bool isHexDigit(char c) {
+  return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
+
+bool isLetterOrDigit(char c) {
+  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool isOneOf(char c, std::string_view set) {
+  return set.find(c) != set.npos;
+}
+
+bool takeEnd(std::string_view &word, char end) {
+  const bool has = word.size() > 1 && word.back() == end;
+  word.remove_suffix(has ? 1 : 0);
+  return has;
+}
+
+bool takeMark(std::string_view &word) {
+  const bool has = word.size() > 2 && word[0] == '0' && (word[1] == 'x' || word[1] == 'X');
+  word.remove_prefix(has ? 2 : 0);
+  return has;
+}
+
+// Returns true if bytes may be written like this. 0x and more digits is an address, eight digits of 0 and 1 are bits.
+bool isNumber(std::string_view word) {
+  takeEnd(word, '!');
+  const bool isMarked = takeMark(word);
+  const size_t size = word.size();
+  const bool isBits = size == 8 && word.find_first_not_of("01") == word.npos;
+  const bool isOdd = size % 2 != 0 && size > 1 && !(size == 3 && std::all_of(word.begin(), word.end(), isDigit));
+  return size > 0 && std::all_of(word.begin(), word.end(), isHexDigit) && !isOdd && !isBits && !(isMarked && size > 2);
+}
+
+// Calls take(word, what precedes it) for each word of letters and digits. ! ends a word.
+template <typename Take>
+void forEachWord(std::string_view text, const Take &take) {
+  for (size_t at = 0, before = 0; at < text.size();) {
+    const size_t begin = at;
+    while (at < text.size() && isLetterOrDigit(text[at])) {
+      at++;
+    }
+    at += at > begin && at < text.size() && text[at] == '!';
+    if (at > begin) {
+      take(text.substr(begin, at - begin), text.substr(before, begin - before));
+      before = at;
+    } else {
+      at++;
+    }
+  }
+}
+
+// Reads a number with one digit, or bytes of two digits. Returns false for other words.
+bool takeHex(std::string_view word, TextBytes &bytes) {
+  const bool isBad = takeEnd(word, '!');
+  takeMark(word);
+  for (size_t at = 0; at < word.size(); at += 2) {
+    uint8_t value;
+    const std::string_view digits = word.substr(at, 2);
+    if (!parseWhole(digits, value, 16) || (digits.size() == 1 && word.size() > 1)) {
+      return false;
+    }
+    bytes.push_back({value, isBad && at + 2 >= word.size()});
+  }
+  return !word.empty();
+}
+
+// Returns the sign between two numbers of a list; 0 if they are not of one.
+char signOf(std::string_view between) {
+  std::string signs;
+  for (const char c : between) {
+    signs += isBlank(c) || c == '\'' || c == '"' ? "" : std::string(1, c);
+  }
+  const bool isAlone = signs.size() == between.size();
+  return signs.empty()                                                                 ? ' '
+         : signs.size() == 1 && isOneOf(signs[0], isAlone ? ",;|:-._" : ",;|")         ? signs[0]
+         : signs.size() == 2 && isOneOf(signs[0], "]})>") && isOneOf(signs[1], "[{(<") ? '['
+                                                                                       : '\0';
+}
+
+// Takes the character after a backslash, as Python and C write it. Returns false for others.
+bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
+  constexpr std::string_view Letters = "abfnrtv\\'\"";
+  constexpr std::string_view Values = "\a\b\f\n\r\t\v\\'\"";
+  const char letter = at < text.size() ? text[at] : '\0';
+  if (letter == 'x') {
+    at += 3;
+    return at <= text.size() && parseWhole(text.substr(at - 2, 2), value, 16);
+  }
+  const size_t known = Letters.find(letter);
+  value = known == Letters.npos ? uint8_t{0} : static_cast<uint8_t>(Values[known]);
+  at++;
+  return known != Letters.npos;
+}
+
+// Reads the strings in a line; without quotation marks, from the first backslash to the end.
+std::string readStrings(std::string_view text, TextBytes &bytes) {
+  const size_t escape = text.find('\\');
+  const size_t mark = text.find_first_of("'\"");
+  const bool isBare = mark > escape || mark == text.npos;
+  for (size_t at = isBare ? escape : mark; at < text.size();) {
+    const char quote = isBare ? '\0' : text[at++];
+    while (at < text.size() && (isBare || text[at] != quote)) {
+      const size_t from = at;
+      TextByte byte{static_cast<uint8_t>(text[at++]), false};
+      if (text[from] == '\\' && !takeEscape(text, at, byte.value)) {
+        return quoted(text.substr(from, 4)) + " is not an escape of Python or C, such as \\x0f";
+      }
+      bytes.push_back(byte);
+    }
+    if (!isBare && at == text.size()) {
+      return "a string has no end: is the line cut?";
+    }
+    at = isBare ? at : text.find_first_of("'\"", at + 1);
+  }
+  return {};
+}
+
+// Returns true if these are a frame without the tail that its variant has on the line.
+bool lacksTail(const TextBytes &bytes) {
+  return bytes.size() == sbus::FrameSize &&
+         sbus::LineVariants[sbus::variantOfEnd(bytes[sbus::EndIndex].value)].tailSize > 0;
+}
+
 }  // namespace
 
-// What the numbers of the first lines look like.
-struct ByteText::Style {
-  bool hasMarks = false, hasLetters = false, hasLeadingZeros = false, hasOneDigit = false, hasThree = false;
-  bool hasCommas = false;
-  bool isBinary = true, isOctal = true;
-  size_t size = 0;  // digits of the first number
-  size_t count = 0;
-
-  void take(std::string_view word) {
-    takeBad(word);
-    hasMarks = takeMark(word) || hasMarks;
-    size = count++ == 0 ? word.size() : size;
-    hasLetters = hasLetters || !areAll(word, isDigit);
-    hasThree = hasThree || word.size() == 3;
-    hasOneDigit = hasOneDigit || word.size() == 1;
-    hasLeadingZeros = hasLeadingZeros || (word.size() == 2 && word.front() == '0');
-    isBinary = isBinary && word.size() == 8 && word.find_first_not_of("01") == std::string_view::npos;
-    isOctal = isOctal && word.size() == size && (size == 3 || size == 6) &&
-              word.find_first_not_of("01234567") == std::string_view::npos && word.front() < (size == 3 ? '4' : '2');
-  }
-
-  int base() const {
-    return hasMarks                                    ? 16
-           : count > 0 && isBinary                     ? 2
-           : hasLetters                                ? 16
-           : count > 0 && isOctal                      ? 8
-           : hasThree                                  ? 10
-           : hasCommas && hasOneDigit && !hasLeadingZeros ? 10
-                                                       : 16;
-  }
+struct ByteText::Number {
+  std::string_view text;
+  char sign;        // between it and the number before it: see signOf()
+  bool isNegative;  // of signed decimal bytes
+  bool isFirst;     // a bracket opens before it
 };
+
+std::string parseHex(std::string_view text, TextBytes &bytes) {
+  std::string wrong;
+  forEachWord(text, [&](std::string_view word, std::string_view) {
+    const size_t before = bytes.size();
+    if (wrong.empty() && !takeHex(word, bytes)) {
+      takeMark(word);
+      wrong = word.substr(std::min(word.size(), 2 * (bytes.size() - before)), 2);
+    }
+  });
+  return wrong;
+}
 
 size_t frameAt(const TextBytes &bytes) {
   for (const size_t size : {size_t{sbus::FrameSize}, size_t{sbus::FrameSize24}}) {
@@ -65,25 +173,24 @@ size_t frameAt(const TextBytes &bytes) {
   return 0;
 }
 
-namespace {
-
-// Returns true if these are a frame without the tail that its variant has on the line.
-bool lacksTail(const TextBytes &bytes) {
-  return bytes.size() == sbus::FrameSize && sbus::LineVariants[sbus::variantOfEnd(bytes[sbus::EndIndex].value)].tailSize > 0;
-}
-
-}  // namespace
-
 ByteText::ByteText(std::string_view head, bool isWhole) {
   findOffsets(head);
+  if (!hasOffsets() && withoutBlanks(head).substr(0, 8) == "0000000 ") {
+    return;  // a dump in another form
+  }
   findStyle(head);
-  _isBare = _form == Form::Numbers && !_isList && !hasOffsets() && _isBare;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const bool isCut = head.find('\n') == std::string_view::npos && !isWhole;
     TextBytes bytes;
-    if (!read(takeLine(head), bytes).empty() && !isCut) {
+    const std::string_view text = takeLine(head);
+    if (!line(text, bytes).empty() && !isCut) {
       _lines = i == 0 ? 0 : _lines;  // a later line will be reported
       return;
+    }
+    if (_lines == 0 && !bytes.empty() && !hasOffsets() && !_isList) {
+      _isBare = true;
+      forEachWord(text.substr(0, text.find('#')),
+                  [this](std::string_view word, std::string_view) { _isBare = _isBare && isNumber(word); });
     }
     const size_t frame = frameAt(bytes);
     const TextBytes rest(bytes.begin() + static_cast<std::ptrdiff_t>(frame), bytes.end());
@@ -93,271 +200,152 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
   }
 }
 
-// Takes the offset off the beginning of a line: 00000010, 0010:, 0x20000010.
+// Takes the offset off a line of a dump, 00000010 or 0010:, and off its end the text beside the bytes.
 bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
-  std::string_view rest = withoutLabel(text);
-  std::string_view word = takeWord(rest);
-  std::string digits(word);
-  digits.resize(digits.size() - (!digits.empty() && digits.back() == ':' ? 1 : 0));
-  digits.erase(0, digits.compare(0, 2, "0x") == 0 ? 2 : 0);
-  if (digits.size() < 4 || !parseWhole(digits, offset, _offsetBase)) {
+  const size_t digits = std::min(text.size(), text.find_first_of(": \t"));
+  const bool hasColon = digits < text.size() && text[digits] == ':';
+  const std::string_view behind = text.substr(std::min(text.size(), digits + hasColon));
+  if (digits < 4 || !parseWhole(text.substr(0, digits), offset, _offsetBase) ||
+      !(behind.empty() || isBlank(behind[0]))) {
     return false;
   }
-  text = rest;
+  text = withoutBlanks(behind);
+  text = text.substr(0, std::min(text.find(hasColon ? "  " : "   "), text.find(" |")));
   return true;
 }
 
-// Offsets grow from line to line by the number of bytes between them. These end the line, or two blanks follow.
+// Offsets grow from line to line by the number of bytes between them.
 void ByteText::findOffsets(std::string_view head) {
-  for (const int base : {16, 10, 8}) {
+  for (const int base : {16, 8, 10}) {
     _offsetBase = base;
-    std::string_view lines = head, before;
-    uint64_t offset = 0, next = 0;
+    std::string_view lines = head;
+    uint64_t offset = 0, next = 0;  // of this line, and of the next one
     for (size_t i = 0; i < HeadLines && !lines.empty(); i++) {
-      const std::string_view line = plain(takeLine(lines));
-      std::string_view rest = line, numbers = before;
-      if (!takeOffset(rest, next)) {
-        before = {};
-        continue;
-      }
-      if (takeOffset(numbers, offset) && next > offset && next - offset <= PerLineMost) {
-        const auto wanted = static_cast<size_t>(next - offset);
-        size_t end = 0, has = 0;
-        std::string_view first;
-        forEachWord(numbers, [&](std::string_view word, size_t column) {
-          first = first.empty() ? word : first;
-          has += isNumber(word) ? sizeOf(word, first) : wanted + 1;
-          end = column + word.size();
-          return has < wanted;
-        });
-        const std::string_view behind = numbers.substr(end);
-        const bool fits = has == wanted && (behind.empty() || isOneOf(behind[0], ",|") || behind.substr(0, 2) == "  ");
-        const auto from = static_cast<size_t>(numbers.data() - before.data());
-        // od -c: each character takes four columns.
-        const bool areCells = !fits && !areNumbers(numbers) && from == 7 && before.size() == from + 4 * wanted;
-        if (!fits && !areCells) {
-          break;
-        }
-        _form = areCells ? Form::Cells : Form::Numbers;
-        _perLine = wanted;
-        _endColumn = areCells ? before.size() : from + end;
+      std::string_view text = withoutBlanks(takeLine(lines));
+      const bool hasColon = text.substr(0, text.find(' ')).find(':') != text.npos;
+      const bool isOne = takeOffset(text, offset);
+      if (isOne && next > 0 && offset == next) {
+        _areSwapped = !hasColon;
         return;
       }
-      before = line;
+      uint64_t size = 0;
+      forEachWord(isOne ? text : "",
+                  [&size](std::string_view word, std::string_view) { size += word.size() < 4 ? 1 : word.size() / 2; });
+      next = size > 0 ? offset + size : 0;
     }
   }
   _offsetBase = 0;
 }
 
+// Finds out what the numbers of the first lines look like.
 void ByteText::findStyle(std::string_view head) {
-  Style style;
-  std::string_view first;  // line with an offset
+  bool hasMarks = false, hasLetters = false, hasThree = false, hasOneDigit = false, hasZeros = false, hasCommas = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
-    std::string_view rest = plain(text);
-    uint64_t offset;
-    first = first.empty() && hasOffsets() && takeOffset(rest, offset) ? plain(text) : first;
-    // An escape within quotation marks, or a single one: \x0f\x5b is a number, too.
-    const size_t escape = text.find('\\');
-    const bool hasEscape = escape < text.size() - 1 && isOneOf(text[escape + 1], "xu0") && !hasOffsets();
-    const std::string_view numbers = numbersOf(text);
-    if (hasEscape && (text.find_first_of("'\"") < escape || !areNumbers(numbers))) {
-      _form = Form::Strings;
+    _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
+    for (Number &number : numbersOf(text)) {
+      takeEnd(number.text, '!');
+      const size_t size = number.text.size();
+      hasMarks = hasMarks || takeMark(number.text);
+      hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
+      hasThree = hasThree || size == 3;
+      hasOneDigit = hasOneDigit || size == 1;
+      hasZeros = hasZeros || (size == 2 && number.text[0] == '0');
+      hasCommas = hasCommas || number.sign == ',';
+      _isList = _isList || number.isFirst;
     }
-    const std::string_view bare = plain(text.substr(0, text.find('#')));
-    _isBare = _isBare && (numbers.empty() || withoutBlanks(numbers) == bare);
-    style.hasCommas = style.hasCommas || numbers.find(',') != std::string_view::npos;
-    _isList = _isList || !listOf(plain(text)).empty();
-    forEachWord(numbers, [&style](std::string_view word, size_t) {
-      style.take(word);
-      return true;
-    });
   }
-  _base = style.base();
-  _isList = _isList || _form == Form::Strings || style.hasMarks;
-  if (hasOffsets() && style.size >= 4 && _base != 2) {
-    findOrder(first);
-  }
+  _isList = _isList || hasMarks || _hasStrings;
+  const bool isDecimal =
+      !hasMarks && !hasLetters && !hasOffsets() && (hasThree || (hasCommas && hasOneDigit && !hasZeros));
+  _base = isDecimal ? 10 : 16;
 }
 
-// hexdump and od print words as a PC reads them, their lowest byte last. xxd does so by -e: its text shows it.
-void ByteText::findOrder(std::string_view line) {
-  const std::string_view offset = line.substr(0, line.find(' '));
-  _isSwapped = true;
-  TextBytes bytes;
-  const std::string_view ascii = withoutBlanks(line.substr(std::min(line.size(), _endColumn)));
-  if (offset.back() == ':' && read(line, bytes).empty() && bytes.size() >= ascii.size()) {
-    for (size_t i = 0; i < ascii.size(); i++) {
-      _isSwapped = _isSwapped && (ascii[i] == '.' || static_cast<uint8_t>(ascii[i]) == bytes[i].value);
-    }
-    _isSwapped = _isSwapped && !ascii.empty();
-  } else {
-    _isSwapped = offset.back() != ':';
-  }
-}
-
-// Returns the part of a line that holds numbers.
-std::string_view ByteText::numbersOf(std::string_view line) const {
-  std::string_view text = plain(line);
-  const std::string_view whole = text;
+// Returns the numbers of a line that are its bytes: those in runs with the same sign between them. On a line with fewer
+// bytes they are the last numbers. What precedes them is a log's: a date, a time, an address, a label.
+std::vector<ByteText::Number> ByteText::numbersOf(std::string_view line) const {
+  std::string_view text = withoutBlanks(line);
   uint64_t offset;
-  if (hasOffsets()) {
-    if (!takeOffset(text, offset)) {
-      return {};
-    }
-    const auto from = static_cast<size_t>(text.data() - whole.data());
-    return text.substr(0, std::max(from, _endColumn) - from);
+  if (hasOffsets() && !takeOffset(text, offset)) {
+    return {};
   }
-  // What a dump shows as text, in |...| or >...<.
-  if (!text.empty() && (text.back() == '|' || text.back() == '<')) {
-    text = text.substr(0, text.find(text.back() == '|' ? " |" : " >"));
-  }
+  text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;  // the text of a dump
   for (const char *const mark : {"//", "/*", "#"}) {
     text = text.substr(0, text.find(mark));
   }
-  const std::string_view list = listOf(text);
-  if (!list.empty()) {
-    return list;
-  }
-  // "uint8_t frame[25] = {" and "unsigned size = 25;" hold no bytes.
   const size_t equals = text.rfind('=');
-  if (equals != std::string_view::npos && countWords(text.substr(equals)) < 2) {
-    return {};
+  text = text.substr(equals + 1);
+  std::vector<Number> all;
+  bool isAfterNumber = false;
+  forEachWord(text, [&](std::string_view word, std::string_view before) {
+    const bool isNegative = before.size() > 1 && before.back() == '-' && isOneOf(before[before.size() - 2], " ,[{(");
+    before.remove_suffix(isNegative ? 1 : 0);
+    const size_t sign = before.find_last_not_of(" '\"");
+    const bool isPython = word == "b" && word.data() + 1 < text.data() + text.size() && isOneOf(word.data()[1], "'\"");
+    const bool is = isNumber(word) && !isPython;
+    if (is) {
+      all.push_back({word, isAfterNumber ? signOf(before) : '\0', isNegative,
+                     sign != before.npos && isOneOf(before[sign], "[{(<")});
+    }
+    isAfterNumber = is;
+  });
+  std::vector<Number> bytes, last;
+  size_t groups = 0;
+  for (size_t begin = 0, end = 0, taken = 0; begin < all.size();
+       begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
+    for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
+    }
+    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._");  // the end of 18:12:30,345
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
+    last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
+    const bool isLong =
+        std::any_of(last.begin(), last.end(), [](const Number &each) { return each.text.size() >= 4 * RunLeast; });
+    if (last.size() >= RunLeast || isLong) {
+      bytes.insert(bytes.end(), last.begin(), last.end());
+      taken = end;
+    }
+    groups++;
   }
-  text = equals == std::string_view::npos ? text : text.substr(equals + 1);
-  const size_t colon = std::min(text.find(": "), text.find(":\t"));
-  text = colon == std::string_view::npos ? text : text.substr(colon + 1);
-  text.remove_prefix(text.substr(0, 2) == "b'" || text.substr(0, 2) == "b\"" ? 1 : 0);
-  const size_t arrow = std::min({text.find("->"), text.find("<-"), text.find("=>")});
-  text = arrow == std::string_view::npos ? text : text.substr(arrow + 2);
-  for (std::string_view rest = text;; text = rest) {
-    const std::string_view word = takeWord(rest);
-    if (word.empty() || !isPrefix(word)) {
-      break;
-    }
-    // "RX:0F", "bytes.fromhex('0F...')", "%0F"
-    const size_t end = word.find_last_of(":('\"", word.size() - 3);
-    if (end != std::string_view::npos && word.size() > 3 && !areNumbers(word) && areNumbers(word.substr(end)) &&
-        countWords(word.substr(end)) > 0) {
-      text = text.substr(static_cast<size_t>(word.data() - text.data()) + end);
-      break;
-    }
-    if (countWords(rest) == 0) {
-      return {};
-    }
-  }
-  // An address, and the text of a dump behind two blanks.
-  std::string_view rest = text;
-  const std::string_view word = takeWord(rest);
-  const bool isAddress = word.substr(0, 2) == "0x"
-                             ? word.size() > 6
-                             : word.size() >= 4 && word.find_first_not_of('0') == std::string_view::npos;
-  text = isAddress && countWords(rest) > 0 ? withoutBlanks(rest) : withoutBlanks(text);
-  for (size_t gap = text.find("  "); gap != std::string_view::npos; gap = text.find("  ", gap + 2)) {
-    if (!areNumbers(text.substr(gap)) && areNumbers(text.substr(0, gap))) {
-      const std::string_view behind = withoutBlanks(text.substr(gap));
-      const bool goesOn = areNumbers(behind.substr(0, behind.find(' '))) && behind.find("  ") != behind.npos;
-      text = goesOn ? text : text.substr(0, gap);
-    }
-  }
-  return text;
+  const bool areLast =
+      bytes.empty() && groups <= GroupsMost && isAfterNumber && (equals == text.npos || last.size() > 1);
+  return areLast ? last : bytes;
 }
 
-// Reads the bytes of a line.
-std::string ByteText::read(std::string_view line, TextBytes &bytes) const {
-  if (_form == Form::Strings) {
-    return line.find('\\') == std::string_view::npos && line.find_first_of("'\"") == std::string_view::npos
-               ? ""
-               : readStrings(plain(line), bytes);
+std::string ByteText::line(std::string_view text, TextBytes &bytes) const {
+  if (hasOffsets() && withoutBlanks(text) == "*") {
+    return "* stands for lines like the one above: a dump with all its lines is expected, by hexdump -v, od -v or xxd";
   }
-  if (_form == Form::Cells) {
-    uint64_t offset;
-    std::string_view cells = line;
-    return takeOffset(cells, offset) ? readCells(cells, bytes) : "";
+  if (_hasStrings) {
+    return text.find_first_of("\\'\"") == text.npos ? "" : readStrings(withoutBlanks(text), bytes);
   }
-  const std::string_view text = numbersOf(line);
   std::string wrong;
-  std::string_view words = plain(line.substr(0, line.find('#')));
-  if (_isBare && countWords(text) == 0 && countWords(words) > 0) {
-    return quoted(takeWord(words)) + Expected;
+  forEachWord(_isBare ? text.substr(0, text.find('#')) : "", [&wrong](std::string_view word, std::string_view) {
+    wrong = wrong.empty() && !isNumber(word) ? quoted(word) + Expected : wrong;
+  });
+  for (const Number &number : numbersOf(text)) {
+    wrong = wrong.empty() ? read(number, bytes) : wrong;
   }
-  const auto take = [&](std::string_view word, size_t column) {
-    const size_t from = bytes.size();
-    if (!readNumber(word, column > 0 && word.data()[-1] == '-', bytes)) {
-      wrong = quoted(word) + (_base == 16 ? Expected : " is not a byte; numbers up to 255 are expected");
-      return false;
-    }
-    if (_isSwapped) {
+  return wrong;
+}
+
+// hexdump and od print words as a PC reads them, their lowest byte last.
+std::string ByteText::read(const Number &number, TextBytes &bytes) const {
+  const size_t from = bytes.size();
+  if (_base == 16) {
+    const bool isGood = takeHex(number.text, bytes);
+    if (isGood && hasOffsets() && number.text.size() >= 4 && _areSwapped) {
       std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end());
     }
-    return true;
-  };
-  bool goesOn = forEachWord(text, take) && _isList && !hasOffsets() && !text.empty();
-  std::string_view rest = goesOn ? line.substr(static_cast<size_t>(text.data() + text.size() - line.data())) : "";
-  for (std::string_view list = takeList(rest); goesOn && !list.empty(); list = takeList(rest)) {
-    goesOn = forEachWord(list, take);
-  }
-  return wrong;
-}
-
-bool ByteText::readNumber(std::string_view word, bool isNegative, TextBytes &bytes) const {
-  const bool isBad = takeBad(word);
-  if (_base == 16) {
-    return takeHex(word, isBad, bytes);
+    return isGood ? "" : quoted(number.text) + Expected;
   }
   unsigned value = 0;
-  const bool isWord = _base == 8 && word.size() == 6;
-  if (!parseWhole(word, value, _base) || value > (isWord ? 65535u : isNegative && _base == 10 ? 128u : 255u)) {
-    return false;
+  std::string_view digits = number.text;
+  const bool isBad = takeEnd(digits, '!');
+  if (!parseWhole(digits, value) || value > (number.isNegative ? 128u : 255u)) {
+    return quoted(number.text) + " is not a byte; numbers up to 255 are expected";
   }
-  if (isWord) {
-    bytes.push_back({static_cast<uint8_t>(value >> 8), false});
-  }
-  bytes.push_back({static_cast<uint8_t>(isNegative && _base == 10 ? 256 - value : value), isBad});
-  return true;
-}
-
-std::string ByteText::line(std::string_view text, TextBytes &bytes) {
-  std::string_view rest = plain(text);
-  uint64_t offset;
-  if (hasOffsets() && rest == "*") {
-    _repeats = true;
-    return {};
-  }
-  if (hasOffsets() && takeOffset(rest, offset)) {
-    // A byte at a dump's end is filled up to a word.
-    const uint64_t surplus = _hasOffset && _at > offset ? _at - offset : 0;
-    _held.resize(_held.size() - static_cast<size_t>(std::min<uint64_t>(_held.size(), surplus)));
-    const std::string wrong = std::exchange(_repeats, false) ? repeat(offset, bytes) : "";
-    if (!wrong.empty()) {
-      return wrong;
-    }
-    _at = offset;
-    _hasOffset = true;
-  }
-  finish(bytes);
-  const std::string wrong = read(text, _held);
-  _at += _held.size();
-  if (!hasOffsets()) {
-    finish(bytes);
-  }
-  return wrong;
-}
-
-// Takes the * of a dump: the line before it stands for all up to this offset.
-std::string ByteText::repeat(uint64_t offset, TextBytes &bytes) {
-  if (_held.empty() || offset < _at || offset - _at > RepeatedMost) {
-    return "* stands for the line above, but not up to this offset: a dump with all its lines is expected, by -v";
-  }
-  for (; _at < offset; _at += _held.size()) {
-    bytes.insert(bytes.end(), _held.begin(), _held.end());
-  }
+  bytes.push_back({static_cast<uint8_t>(number.isNegative ? 256 - value : value), isBad});
   return {};
-}
-
-void ByteText::finish(TextBytes &bytes) {
-  bytes.insert(bytes.end(), _held.begin(), _held.end());
-  _held.clear();
 }
 
 }  // namespace line

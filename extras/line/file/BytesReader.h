@@ -6,38 +6,32 @@
 #include "line/LineSettings.h"
 #include "line/file/ByteText.h"
 #include "line/file/LineReader.h"
-#include "line/file/Mangled.h"
 
 namespace line {
 
 class BytesReader : public LineReader {
  public:
   // `head`: the file's first bytes, or the text's first lines.
-  BytesReader(std::string_view head, bool isText, const LineSettings &settings);
+  BytesReader(std::string_view head, bool isText, const LineSettings &settings)
+      : _isText(isText),
+        _characterUs(settings.characterUs()),
+        _text(isText ? head : std::string_view(), head.size() < FileHeadMax) {}
 
   std::string line(std::string_view text, std::deque<Character> &characters) override;
-  std::string finish(std::deque<Character> &characters) override;
+  std::string finish(std::deque<Character> & /*characters*/) override {
+    return _last.endUs > 0 ? "" : "is empty: bytes of a line are expected";
+  }
   bool takesBytes() const override { return !_isText; }
 
-  // Returns what a reader should know of the bytes, or nothing.
+  // Returns what a user should know of the bytes.
   std::string note() const;
 
-  // Returns why its frames would be wrong, or nothing.
-  std::string error() const { return _mangled.isLost() ? _mangled.what() : ""; }
-
-  // Returns what happened to them and what to do, unless it is undone; usually empty.
-  std::string damage() const { return _mangled.isChanged() ? "" : _mangled.what(); }
-
  private:
-  void undo(std::string_view bytes);
-  void putLine(std::deque<Character> &characters);
-  void put(size_t from, size_t to, std::deque<Character> &characters);
+  void put(const TextBytes &bytes, size_t from, size_t to, std::deque<Character> &characters);
 
   const bool _isText;
   const uint32_t _characterUs;
-  ByteText _text;
-  Mangled _mangled;
-  TextBytes _bytes;  // of a line
+  const ByteText _text;
   Character _last;
 };
 

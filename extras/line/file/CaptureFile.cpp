@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "line/capture/PackedFile.h"
-#include "line/capture/SampleReaders.h"
+#include "line/capture/SessionReader.h"
 #include "line/file/FileHead.h"
 
 namespace line {

@@ -5,6 +5,7 @@
 #include "line/capture/Capture.h"
 #include "line/file/BytesReader.h"
 #include "line/file/JsonReader.h"
+#include "line/file/Mangled.h"
 #include "line/file/TableReader.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/PlainText.h"
@@ -72,7 +73,7 @@ FileHead wrong(const std::string &error) {
 FileKind kindOfText(std::string_view text) {
   const std::string_view begin = withoutBlanks(text);
   const std::string_view inside = withoutBlanks(begin.substr(begin.substr(0, 1) == "{" ? 1 : begin.size()));
-  if (!inside.empty() && (inside.front() == '"' || inside.front() == '}') && inside.substr(0, 100).find("\"Buffer\"") == std::string_view::npos) {
+  if (!inside.empty() && (inside.front() == '"' || inside.front() == '}')) {
     return FileKind::Json;
   }
   if (frameTable(text) == FrameTable::Yes) {
@@ -172,16 +173,17 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
     head.settings.baud = baud;
   }
   if (kind == FileKind::Bytes || kind == FileKind::Text) {
-    const BytesReader reader(begin, kind == FileKind::Text, head.settings);
-    head.note = reader.note();
-    head.error = reader.error();
-    const std::string damage = reader.damage();
-    if (const size_t end = damage.find("; "); end != std::string::npos) {
-      head.damage = "Changed bytes: " + damage.substr(0, end) + ".";
-      head.damageRemedy = damage.substr(end + 2) + ".";
+    const Mangled mangled(kind == FileKind::Text ? std::string_view() : begin);
+    head.note = BytesReader(begin, kind == FileKind::Text, head.settings).note();
+    if (mangled.isLost) {
+      return wrong(mangled.what + "; " + mangled.remedy);
+    }
+    if (!mangled.what.empty()) {
+      head.note += "; " + mangled.what + "; " + mangled.remedy;
+      head.damage = "Changed bytes: " + mangled.what + ".";
+      head.damageRemedy = mangled.remedy + ".";
       head.damageRemedy[0] = static_cast<char>(head.damageRemedy[0] - 'a' + 'A');
     }
-    head.kind = head.error.empty() ? kind : FileKind::Wrong;
   } else if (kind != FileKind::Capture) {
     const std::unique_ptr<LineReader> reader = makeReader(head);
     std::deque<Character> first;

@@ -27,7 +27,7 @@ struct FileHead {
   std::optional<int64_t> startUs;  // time 0 in us since 1970, if the file gives it
   int64_t zeroUs = 0;              // see LineReader::zeroUs()
   std::string note;                // what a user should know of it
-  std::string damage;              // of bytes: what another program did to them, if it cannot be undone: a finding
+  std::string damage;              // of bytes: what another program did to them: a finding
   std::string damageRemedy;        // what to do
   std::string begin;               // the beginning that was examined
 };

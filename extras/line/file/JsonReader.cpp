@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "line/file/ByteWords.h"
+#include "line/file/ByteText.h"
 #include "line/Format.h"
 #include "line/FrameBytes.h"
 #include "line/recording/Recording.h"

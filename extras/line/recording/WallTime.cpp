@@ -3,14 +3,11 @@
 #include <cstdio>
 #include <ctime>
 
-#include "line/recording/Words.h"
-
 namespace line {
 
 namespace {
 
 constexpr int64_t SecondUs = 1000000;
-constexpr std::string_view Form = "0000-00-00T00:00:00";
 
 // Returns the days since 1970. Years begin in March here, so that the leap day is the last one.
 int64_t daysSince1970(int year, int month, int day) {
@@ -19,22 +16,6 @@ int64_t daysSince1970(int year, int month, int day) {
 }
 
 }  // namespace
-
-const char *takeDate(const char *text, int64_t &seconds) {
-  int fields[6] = {};
-  int *field = fields;
-  for (const char form : Form) {
-    if (form == '0' ? !isDigit(*text) : *text != form) {
-      return nullptr;
-    }
-    form == '0' ? *field = *field * 10 + (*text - '0') : *++field;
-    text++;
-  }
-  const auto [year, month, day, hour, minute, second] = fields;
-  seconds = ((daysSince1970(year, month, day) * 24 + hour) * 60 + minute) * 60 + second;
-  return month >= 1 && month <= 12 && day >= 1 && day <= 31 && hour < 24 && minute < 60 && second <= 60 ? text
-                                                                                                        : nullptr;
-}
 
 std::string wallTime(int64_t us) {
   const int64_t second = (us >= 0 ? us : us - SecondUs + 1) / SecondUs;
@@ -47,22 +28,14 @@ std::string wallTime(int64_t us) {
 }
 
 bool parseWallTime(std::string_view text, int64_t &us) {
-  const std::string date(text.substr(0, Form.size()));
-  int64_t seconds = 0;
-  if (takeDate(date.c_str(), seconds) == nullptr) {
+  int year, month, day, hour, minute, second, fraction, size = 0;
+  std::sscanf(std::string(text).c_str(), "%4d-%2d-%2dT%2d:%2d:%2d.%6dZ%n", &year, &month, &day, &hour, &minute, &second,
+              &fraction, &size);
+  if (size != 27 || text.size() != 27 || month < 1 || month > 12) {
     return false;
   }
-  text.remove_prefix(Form.size());
-  us = seconds * SecondUs;
-  if (!text.empty() && text.front() == '.') {
-    text.remove_prefix(1);
-    const size_t digits = text.find_first_not_of("0123456789");
-    for (size_t i = 0, weight = SecondUs / 10; i < digits && i < text.size(); i++, weight /= 10) {
-      us += static_cast<int64_t>(weight) * (text[i] - '0');
-    }
-    text.remove_prefix(digits == 0 || digits == std::string_view::npos ? text.size() : digits);
-  }
-  return text == "Z";
+  us = (((daysSince1970(year, month, day) * 24 + hour) * 60 + minute) * 60 + second) * SecondUs + fraction;
+  return true;
 }
 
 }  // namespace line

@@ -13,11 +13,7 @@ constexpr std::string_view BeganText = "format 1, began ";
 // Returns "2026-11-24T15:16:18.123456Z" for microseconds since 1970, UTC.
 std::string wallTime(int64_t us);
 
-// Parses "2026-11-24T15:16:18", in UTC, at the front. Returns the text after it, and the seconds since 1970; nullptr
-// for any other text.
-const char *takeDate(const char *text, int64_t &seconds);
-
-// Parses wallTime()'s text; the fraction may have any number of digits or be missing. Returns false for any other text.
+// Parses wallTime()'s text. Returns false for any other text.
 bool parseWallTime(std::string_view text, int64_t &us);
 
 }  // namespace line

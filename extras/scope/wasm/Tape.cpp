@@ -9,7 +9,7 @@
 
 #include "ShownLine.h"
 #include "line/capture/RecordedCapture.h"
-#include "line/capture/SampleReaders.h"
+#include "line/capture/SessionReader.h"
 #include "line/file/FileHead.h"
 #include "line/file/LineSplitter.h"
 #include "line/recording/PlainText.h"
