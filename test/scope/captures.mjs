@@ -102,6 +102,7 @@ export default async function () {
   for (const [name, content, said] of [
     ['idle.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', `idle.csv: signal Channel 0 has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
     ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps the part before it\.$/],
+    ['wire.vcd.xz', Buffer.from('\xFD7zXZ\0', 'latin1'), 'wire.vcd.xz: is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'],
     ['other.zip', pack([['a', Buffer.from('1')], ['b', Buffer.from('2')]]), 'other.zip: is a ZIP, but not a session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
     ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
     ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],
@@ -110,7 +111,6 @@ export default async function () {
     ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
     ['digital.bin', '<SALEAE>\0\0', 'digital.bin: is Logic 2\'s binary export: export it as CSV'],
     ['logic.sal', pack([['meta.json', Buffer.from('{}')], ['digital-0.bin', Buffer.from('1')]]), 'logic.sal: is a capture of Saleae\'s Logic 2: export it as CSV (File, Export Raw Data)'],
-    ['wire.vcd.xz', Buffer.from('\xFD7zXZ\0', 'latin1'), 'wire.vcd.xz: is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'],
     ['seven.bin', Buffer.from(frames.flat().map((byte) => byte & 0x7f)), /^This cannot be played: seven\.bin: no byte is above 7F: bit 7 was stripped, and the channels are wrong; /],
   ]) {
     await check(`${name} is rejected with the message of the command, and the simulation continues`, async (page) => {
