@@ -62,12 +62,17 @@ export default async function () {
     await reads(page, '#pause', 'Pause');
   });
 
-  await check('two fingers zoom between them, and move what they hold; two taps reset', async (page) => {
+  await check('one finger scrolls; two fingers zoom between them, and move what they hold; two taps reset', async (page) => {
     await playRamp(page);
     for (let i = 0; i < 2; i++) await page.tap('#zoom-in');
     await page.locator('#plot').scrollIntoViewIfNeeded();
     const [x, y] = await placeOf(page, 300);
     const { put, move, lift } = await fingers(page);
+    await put([x, y]);
+    for (const px of [20, 40, 60]) await move([x + px, y]);
+    await reads(page, '#pause', 'Continue');
+    await move([x, y]);
+    await lift();
     await put([x - 40, y], [x + 40, y]);
     for (let i = 1; i <= 10; i++) await move([x - 40 - 7 * i, y], [x + 40 + 9 * i, y]);
     await lift();

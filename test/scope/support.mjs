@@ -124,10 +124,12 @@ async function open({ size = { width: 1440, height: 900 }, serial = true, colorS
     await tab.addInitScript(() => Object.defineProperty(Navigator.prototype, 'serial', { get: () => undefined }));
   }
   await tab.real.goto(pathToFileURL(path.join(build, 'index.html')).href);
-  // Before its first picture it takes no clicks and no files: its WebAssembly comes after it has been loaded.
-  await until('the page does not begin', () => tab.real.evaluate(() => ['#title', '#verdict-text'].some((where) => document.querySelector(where).textContent !== '')));
+  await begun(tab.real);
   return tab;
 }
+
+// Before its first picture the page takes no clicks and no files: its WebAssembly comes after it has been loaded.
+const begun = (page) => until('the page does not begin', () => page.evaluate(() => ['#title', '#verdict-text'].some((where) => document.querySelector(where).textContent !== '')));
 
 // Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy rejects.)
 export async function until(what, isSo, patience = 20000) {
@@ -164,6 +166,7 @@ export async function inWorkers(page, act, argument) {
   const text = `${readFileSync(path.join(here, 'fakeSerial.js'), 'utf8')}\nfake.port.permitted = true;\n(${act})(${JSON.stringify(argument)});\n`;
   await page.addInitScript((fakeOfWorkers) => Object.assign(globalThis, { fakeOfWorkers }), text);
   await page.reload();
+  await begun(page);
 }
 
 // Until the page shows the port, which is read.

@@ -1,7 +1,7 @@
 // The wire below the bytes: its edges as the capture has them, at any zoom, the names of bits, and which of them is wrong.
 import assert from 'node:assert/strict';
 import { clean, fits } from './looks.mjs';
-import { random } from './modules.mjs';
+import { load, random } from './modules.mjs';
 import { Native } from './native.mjs';
 import { check, drawn, frame, playPaused, reads, seek, until } from './support.mjs';
 
@@ -30,7 +30,9 @@ const endUs = edges.at(-1)[0] + 20000;
 const vcd = `$timescale 1us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n${edges.map(([us, high]) => `#${us}\n${high}!\n`).join('')}#${endUs}\n`;
 
 // The edges that begin before `toUs`, from the newest before `fromUs` on.
-const truth = (fromUs, toUs) => edges.filter(([us], i) => us < toUs && (edges[i + 1]?.[0] ?? Infinity) > fromUs);
+const { firstFrom } = await load('numbers');
+const firstAt = (isBefore) => firstFrom(0, edges.length, (i) => isBefore(edges[i][0]));
+const truth = (fromUs, toUs) => edges.slice(Math.max(firstAt((us) => us <= fromUs) - 1, 0), firstAt((us) => us < toUs));
 
 // Whether the curve is high or low in the middle of a bit: where the canvas has its colour.
 const levelAt = (page, us) => page.evaluate(([timeUs, fromUs, toUs]) => {

@@ -127,6 +127,7 @@ std::string exportOf(std::string_view begin, const std::string &name) {
       {"BZh", "", "", Packed},
       {"\x28\xB5\x2F\xFD", "", "", Packed},  // zstd
       {"7z\xBC\xAF", "", "", Packed},
+      {"\xFD" "7zXZ", "", "", Packed},  // the command has unpacked it
       {"Rar!", "", "", Packed},
       {"\x89PNG", "", "", Other},
       {"\xC2\x89PNG", "", "", Other},

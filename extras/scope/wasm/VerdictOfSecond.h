@@ -4,13 +4,18 @@
 #include <optional>
 
 #include "line/Examination.h"
+#include "sbus/Diagnosis.h"
 
 namespace scope {
 
 class VerdictOfSecond {
  public:
   // Begins the first second.
-  void begin(const line::Observer &observer, uint64_t nowUs);
+  void begin(const line::Observer &observer, uint64_t nowUs) {
+    _finding.reset();
+    _beganUs = nowUs;
+    _second.begin(observer, nowUs);
+  }
 
   // Judges each second that is over by `nowUs`: all characters complete by then have come to a port with these
   // settings.
@@ -26,7 +31,15 @@ class VerdictOfSecond {
  private:
   static constexpr uint64_t SecondUs = 1000000;
 
-  void judge(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs);
+  // What has come belongs to the first second that is over; in the seconds after it the line was silent.
+  void judge(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs) {
+    const uint64_t seconds = (nowUs - _beganUs) / SecondUs;
+    sbus::Diagnosis diagnosis;
+    diagnosis.add(_second.trial(observer, port, _beganUs + SecondUs));
+    _finding = seconds > 1 ? sbus::Finding::NoSignal : diagnosis.finding();
+    _beganUs += seconds * SecondUs;
+    _second.begin(observer, _beganUs);
+  }
 
   line::Examination _second;
   uint64_t _beganUs = 0;

@@ -3,7 +3,7 @@
 import { CharacterSize, FileHeadMax, RecordReader, type Status, TransferSize } from '../border';
 import type { Flight, Wire } from '../messages';
 import { imports, Native } from '../native';
-import { bytesOf, directory, unpack, type Entry, type Packing } from './zip';
+import { bytesOf, directory, unpack, type Entry } from './zip';
 
 const mostEdges = 4000; // more of them are shown by levels
 const mostCharacters = 64;
@@ -35,7 +35,7 @@ export class Tape {
     this.native.transfer(new TextEncoder().encode(signal), (count) => calls.chooseSignal(count));
     const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
     const isZip = first === 0x50 && second === 0x4b;
-    const packing = first === 0x1f && second === 0x8b ? 'gzip' : first === 0xfd && second === 0x37 ? 'xz' : undefined;
+    const packing = first === 0x1f && second === 0x8b ? 'gzip' : undefined;
     const error = isZip ? await this.readZip(file, taken) : await this.readText(file, packing, taken);
     if (error !== '') {
       return error;
@@ -55,7 +55,7 @@ export class Tape {
   }
 
   // `taken`: how many more bytes of the file were read.
-  private async readText(file: File, packing: Packing | undefined, taken: (count: number) => void): Promise<string> {
+  private async readText(file: File, packing: CompressionFormat | undefined, taken: (count: number) => void): Promise<string> {
     const reader = bytesOf(file, packing, taken);
     const text = new Text(this.native);
     for (let part = await reader.read(); !part.done; part = await reader.read()) {

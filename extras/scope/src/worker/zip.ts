@@ -1,9 +1,5 @@
 // Files that are packed: a ZIP's directory, and bytes as they come. PKWARE's APPNOTE.TXT, 4.3.
 
-import { XzReadableStream } from 'xz-decompress';
-
-export type Packing = CompressionFormat | 'xz';
-
 export interface Entry {
   at: number; // offset of its header
   packed: number; // bytes
@@ -83,7 +79,7 @@ function crc32(bytes: Uint8Array, before: number): number {
 }
 
 // Returns a reader of a file's bytes, unpacked if `packing` is given. `taken` gets how many more bytes of the file were read.
-export function bytesOf(file: Blob, packing: Packing | undefined, taken: (count: number) => void): Pick<ReadableStreamDefaultReader<Uint8Array>, 'read'> {
+export function bytesOf(file: Blob, packing: CompressionFormat | undefined, taken: (count: number) => void): ReadableStreamDefaultReader<Uint8Array> {
   const counting = new TransformStream<Uint8Array, Uint8Array>({
     transform(part, out): void {
       taken(part.length);
@@ -91,14 +87,5 @@ export function bytesOf(file: Blob, packing: Packing | undefined, taken: (count:
     },
   });
   const plain = file.stream().pipeThrough(counting);
-  if (packing === 'xz') {
-    const reader = new XzReadableStream(plain).getReader();
-    return { read: () => reader.read().catch(xzFailed) };
-  }
   return (packing ? plain.pipeThrough(new DecompressionStream(packing) as TransformStream) : plain).getReader();
-}
-
-// xz_ret of xz-embedded: 6 is a check or a filter that it does not have.
-function xzFailed(error: Error): never {
-  throw new Error(error.message.endsWith(' 6') ? 'the .xz has a check (SHA-256) or a filter that is not read here: unpack it' : 'the .xz is damaged or incomplete');
 }
