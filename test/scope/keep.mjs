@@ -127,6 +127,36 @@ export default async function () {
     }
   });
 
+  // Returns 'held' or 'released' for each wake lock that the page ever had.
+  const locks = (page) => page.evaluate(() => String(fake.locks.map(({ released }) => (released ? 'released' : 'held'))));
+  const lockedAs = (page, expected) => until(async () => `${await locks(page)}, not ${expected}`, async () => (await locks(page)) === expected);
+
+  await check('the PC stays awake while it records, also after the page was hidden, and no longer', async (page) => {
+    await until('no frames come', async () => (await counter(page, 'frames')) > 10);
+    await page.evaluate(() => fake.show(false));
+    await page.evaluate(() => fake.show(true));
+    await page.click('#record');
+    await lockedAs(page, 'held');
+    await page.evaluate(() => fake.show(false));
+    await lockedAs(page, 'released');
+    await page.evaluate(() => {
+      fake.show(true);
+      fake.show(false); // before it has a lock
+      fake.show(true);
+    });
+    await lockedAs(page, 'released,held');
+    await page.click('#record');
+    await lockedAs(page, 'released,released');
+    await page.click('#record');
+    await page.click('#record'); // perhaps before it has a lock
+    await until('it is held', async () => /^released,released(,released)?$/.test(await locks(page)));
+    await page.evaluate(() => fake.show(true));
+    await page.click('#record');
+    await until('it is not held', async () => /^[^h]*,held$/.test(await locks(page)));
+    await page.click('#source-simulated'); // which ends the recording
+    await until('it is held', async () => !(await locks(page)).includes('held'));
+  });
+
   await check('another source ends a recording: the file is handed over, not lost', async (page) => {
     await page.click('#record');
     await page.waitForTimeout(300);

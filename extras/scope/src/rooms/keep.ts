@@ -17,6 +17,7 @@ class Recorder {
   bytes = 0;
   private text = '';
   private parts: Blob[] = [];
+  private readonly awake = new Awake();
   private line?: Remote; // that is recorded
 
   get on(): boolean {
@@ -30,6 +31,7 @@ class Recorder {
     this.parts = [];
     this.bytes = this.text.length;
     line.ask({ kind: 'record', on: true });
+    this.awake.want(true);
   }
 
   // Takes what was recorded. Call it for each picture, and also while none is drawn.
@@ -50,6 +52,7 @@ class Recorder {
       return;
     }
     this.line = undefined;
+    this.awake.want(false);
     const parts = [...this.parts, this.text];
     this.parts = [];
     this.text = '';
@@ -100,4 +103,33 @@ function saveCsv(history: History, channels: number, isBoard: boolean): void {
   const shortOf = (sample: number): string => clock(1e6 * history.time(sample)).replace(/:(\d+)\..*/, 'm$1s');
   const ends = history.end > history.begin ? [shortOf(history.begin), shortOf(history.end - 1)] : [];
   download(`${['sbus', stamp(), ...ends].join('-')}.csv`, [lines.join('\n'), '\n'], 'text/csv');
+}
+
+// Keeps the screen on, and thereby the PC awake, while that is wanted. A browser releases the lock of a hidden page, and may
+// reject it (low battery, no such feature): then the PC goes to sleep as usual.
+class Awake {
+  private wanted = false;
+  private lock?: WakeLockSentinel;
+  private turn = Promise.resolve(); // one request after the other
+
+  constructor() {
+    document.addEventListener('visibilitychange', () => this.settle());
+  }
+
+  want(on: boolean): void {
+    this.wanted = on;
+    this.settle();
+  }
+
+  private settle(): void {
+    this.turn = this.turn.then(() => this.ask()).catch(() => undefined);
+  }
+
+  private async ask(): Promise<void> {
+    if (!this.wanted) {
+      await this.lock?.release();
+    } else if (document.visibilityState === 'visible' && this.lock?.released !== false) {
+      this.lock = await navigator.wakeLock?.request('screen');
+    }
+  }
 }
