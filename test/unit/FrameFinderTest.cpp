@@ -409,3 +409,18 @@ TEST_CASE("after frames of 25 bytes one of 36 bytes is accepted at most once, an
     CHECK(found.size() <= row.most);
   }
 }
+
+TEST_CASE(
+    "if the bytes behind the second frame make it look older than the first, there is a period only from the third "
+    "on") {
+  Feeder line;
+  REQUIRE(line.settle().feed(Low).empty());
+  REQUIRE(line.wait(4000).waited.size() == 1);
+  const uint32_t first = line.finder.frameTime();
+  CHECK(line.block(41 * Feeder::CharacterUs).poll(Low + part(Low, 0, 16)).size() == 1);
+  const uint32_t second = line.finder.frameTime();
+  CHECK(second - first == 0u - 5480);
+  CHECK(line.finder.counters().period == 0);
+  CHECK(line.feed(part(Low, 16)).size() == 1);
+  CHECK(line.finder.counters().period == line.finder.frameTime() - second);
+}
