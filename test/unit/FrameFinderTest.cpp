@@ -424,3 +424,21 @@ TEST_CASE(
   CHECK(line.feed(part(Low, 16)).size() == 1);
   CHECK(line.finder.counters().period == line.finder.frameTime() - second);
 }
+
+TEST_CASE("the time over a missed frame counts as two periods, also if it is the first") {
+  Feeder line;
+  line.settle();
+  const Bytes frame = bytesOf(plainFrame(1));
+  Bytes other = frame;
+  other.back() = 0x55;
+  const auto send = [&](const Bytes &bytes) { return line.feed(bytes).size() + line.wait(6000).waited.size(); };
+  const struct {
+    Bytes bytes;
+    size_t frames;
+    uint32_t period;  // then
+  } rows[] = {{frame, 1, 0}, {other, 0, 0}, {frame, 1, 9000}, {frame, 1, 9000}, {other, 0, 9000}, {frame, 1, 9000}};
+  for (const auto &row : rows) {
+    CHECK(send(row.bytes) == row.frames);
+    CHECK(line.finder.counters().period == row.period);
+  }
+}
