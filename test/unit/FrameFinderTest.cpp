@@ -248,31 +248,6 @@ TEST_CASE("a slot that lacks a character, before a gap that the polls reveal, co
   }
 }
 
-TEST_CASE(
-    "a frame's age counts from the last poll without its end, or what a port holds back before; a blocked loop adds") {
-  constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
-  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
-    CAPTURE(start);
-    Feeder line(start);
-    line.lock();
-    uint32_t before = line.now;
-    CHECK(line.block(3000).poll(Low).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle);
-    before = line.wait(6000).now;
-    CHECK(line.block(20).poll(Low).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle);
-    before = line.wait(6000).now;
-    CHECK(line.block(10000000).poll(Low + Low).size() == 2);
-    CHECK(line.finder.frameTime() == before - Idle);  // also of the second
-    before = line.wait(6000).now;
-    CHECK(line.block(10000000).poll(join(Frames(20, PaperLow.bytes))).size() == 20);
-    CHECK(line.finder.frameTime() == before - Idle);  // and the last of as many as 512 bytes hold
-    before = line.wait(6000).now;
-    CHECK(line.block(20).poll(Low + part(Low, 0, 3)).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle - 3 * 5 * Feeder::CharacterUs);  // a port may have waited for each of these
-  }
-}
-
 TEST_CASE("the period is that of the line; a longer interval counts for an eighth") {
   sbus::Counters counters = {};
   constexpr uint32_t Negative = UINT32_MAX;
