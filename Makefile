@@ -19,7 +19,7 @@ else
 dist:
 	@sh extras/setup/packages.sh git
 	@sh extras/setup/zip.sh >/dev/null
-	@sh extras/setup/packages.sh dpkg-dev $(TOOL) $(SCOPE) $(STATIC) 'g++-aarch64-linux-gnu?'
+	@sh extras/setup/packages.sh dpkg-dev $(TOOL) $(SCOPE) $(STATIC)
 	@sh extras/setup/dist.sh
 
 help:

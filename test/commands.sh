@@ -171,8 +171,8 @@ check '^(ok figures: make size|skipped figures: size, these compilers)' 'log fig
 check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
 check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z' \
   'make release VERSION=x.y.z URL=https://github.com/NAME/DecodeSBus' "make release VERSION=x.y.z MAINTAINER='NAME <ADDRESS>'"
-check '^ok dist: SHA256SUMS has every file' 'log dist false' 'make dist'
-check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist false' 'sudo tar xzf sbus-*-linux-$(uname -m).tar.gz -C /usr/local'
+check '^ok dist: SHA256SUMS has every file' 'log dist "echo skipped: the step dist has not run"' 'make dist'
+check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist "echo skipped: the step dist has not run"' 'sudo tar xzf sbus-*-linux-$(uname -m).tar.gz -C /usr/local'
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&

@@ -120,7 +120,7 @@ newlib() {
 step_figures() { after lines-5000 bench && ../extras/docs/figures.sh check; }
 step_dist() {
   after scope
-  export DIST="$BUILD/dist"
+  export DIST="$BUILD/offered"  # dist.sh works in BUILD/dist
   if sh ../extras/setup/dist.sh; then ./dist.sh; else echo "FAILED dist: it does not build"; fi
 }
 step_commands() { after scope tool package dist figures && ./commands.sh; }

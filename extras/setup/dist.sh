@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds what a release offers: the Arduino ZIP, the page, a Debian package of sbus, sbus with its libraries in it for this
-# processor and, if the cross compiler is there, for arm64, and SHA256SUMS.
+# Builds what a release offers: the Arduino ZIP, the page, a Debian package of sbus, sbus with its libraries in it, and
+# SHA256SUMS.
 # BUILD: where it is compiled (build); DIST: where the files go (dist).
 set -eu
 umask 022
@@ -29,17 +29,17 @@ install_to() {  # SBUS FOLDER PREFIX
   cp LICENSE "$2$3/share/doc/sbus/copyright"
 }
 
-package_static() {  # SBUS STRIP NAME
-  folder=$work/$3
+package_static() {  # SBUS NAME
+  folder=$work/$2
   install_to "$1" "$folder" ''
-  "$2" "$folder/bin/sbus"
+  strip "$folder/bin/sbus"
   # shellcheck disable=SC2086  # names, to be split
   for library in $libraries; do
     printf '\n---- %s\n\n' "$library"
     cat "/usr/share/doc/$library/copyright"
   done >>"$folder/share/doc/sbus/copyright"
   tar cf - -C "$folder" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" bin share |
-    gzip -9n >"$dist/$3.tar.gz"
+    gzip -9n >"$dist/$2.tar.gz"
 }
 
 package_debian() {  # SBUS
@@ -87,18 +87,7 @@ run_make -C extras/scope BUILD="$for_make/scope"
 cp "$build/scope/index.html" "$dist/scope.html"
 run_make -C extras/cli BUILD="$for_make/sbus" "$for_make/sbus/sbus" "$for_make/sbus/sbus-static"
 package_debian "$build/sbus/sbus"
-package_static "$build/sbus/sbus-static" strip "sbus-$version-linux-$(uname -m)"
-cross=aarch64-linux-gnu
-if [ "$architecture" = arm64 ]; then
-  :
-elif command -v $cross-g++ >/dev/null; then
-  # shellcheck disable=SC2086  # names, to be split
-  [ -e "$build/arm64/debian/usr" ] || sh extras/setup/arm64.sh "$build/arm64/debian" $libraries
-  run_make -C extras/cli BUILD="$build/arm64" CXX=$cross-g++ LDFLAGS="-L$build/arm64/debian/usr/lib/$cross" "$build/arm64/sbus-static"
-  package_static "$build/arm64/sbus-static" $cross-strip "sbus-$version-linux-aarch64"
-else
-  echo "no sbus for arm64: there is no $cross-g++ here" >&2
-fi
+package_static "$build/sbus/sbus-static" "sbus-$version-linux-$(uname -m)"
 (cd "$dist" && sha256sum ./* | sed 's, \./, ,' >"$work/SHA256SUMS" && mv "$work/SHA256SUMS" .)
 echo "${dist#"$root"/}"
 ls -l "$dist" >&2

@@ -146,49 +146,6 @@ TEST_CASE(
   CHECK(sketch.sbus.rejectedGroups() == rejected);
 }
 
-TEST_CASE(
-    "a group that is not just slots is counted, and only slots that are certainly whole are read: a character missing "
-    "or "
-    "too many, two sensors in a slot") {
-  const struct {
-    const char *what;
-    std::function<void(std::vector<Answer> &)> change;
-    bool isSlot1Read, isSlot2Read;
-  } rows[] = {
-      {"data1 of slot 1 is missing", [](std::vector<Answer> &answers) { answers[1].characters.pop_back(); }, false,
-       true},
-      {"the ID of slot 1 is missing",
-       [](std::vector<Answer> &answers) { answers[1].characters.erase(answers[1].characters.begin()); }, false, true},
-      {"data0 of slot 2 is missing",
-       [](std::vector<Answer> &answers) { answers[2].characters.erase(answers[2].characters.begin() + 1); }, true,
-       false},
-      {"a stray 55 after slot 2", [](std::vector<Answer> &answers) { answers[2].characters.push_back(0x55); }, true,
-       false},
-      {"slot 1 sends slot 2's ID", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x43; }, false, true},
-      {"slot 1 sends an ID of group 1", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x93; }, false,
-       true},
-      {"nothing is whole", [](std::vector<Answer> &answers) { answers[1].characters = answers[2].characters = {0x43}; },
-       false, false},
-  };
-  for (const auto &row : rows) {
-    CAPTURE(row.what);
-    Sketch sketch(1000);
-    Bus bus;
-    sketch.rounds(5, bus);
-    bus.changeFirst([&row](std::vector<Answer> &answers) {
-      answers[1].characters[1] = 0x99;
-      answers[2].characters[1] = 0x99;
-      row.change(answers);
-    });
-    sketch.rounds(3, bus);
-    CHECK(data0Of(sketch.sbus, 0) == 0xC0);
-    CHECK((data0Of(sketch.sbus, 1) == 0x99) == row.isSlot1Read);
-    CHECK((data0Of(sketch.sbus, 2) == 0x99) == row.isSlot2Read);
-    CHECK(hasCurrent(sketch));
-    CHECK(sketch.sbus.rejectedGroups() == 3);
-  }
-}
-
 TEST_CASE("a sensor's age and how often it has come in a row with the same data are told, and follow what comes") {
   const auto trustOf = [](Sketch &sketch, uint8_t slot) {
     Raw<1> raw;

@@ -1,5 +1,5 @@
 // Finds frames on lines without faults: what is delivered, what is rejected and how that is counted, what receivers of
-// all makes send, the age of a frame and the period of frames, and the first frame of a line.
+// all makes send, and the age and the period of frames.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -248,31 +248,6 @@ TEST_CASE("a slot that lacks a character, before a gap that the polls reveal, co
   }
 }
 
-TEST_CASE(
-    "a frame's age counts from the last poll without its end, or what a port holds back before; a blocked loop adds") {
-  constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
-  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
-    CAPTURE(start);
-    Feeder line(start);
-    line.lock();
-    uint32_t before = line.now;
-    CHECK(line.block(3000).poll(Low).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle);
-    before = line.wait(6000).now;
-    CHECK(line.block(20).poll(Low).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle);
-    before = line.wait(6000).now;
-    CHECK(line.block(10000000).poll(Low + Low).size() == 2);
-    CHECK(line.finder.frameTime() == before - Idle);  // also of the second
-    before = line.wait(6000).now;
-    CHECK(line.block(10000000).poll(join(Frames(20, PaperLow.bytes))).size() == 20);
-    CHECK(line.finder.frameTime() == before - Idle);  // and the last of as many as 512 bytes hold
-    before = line.wait(6000).now;
-    CHECK(line.block(20).poll(Low + part(Low, 0, 3)).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle - 3 * 5 * Feeder::CharacterUs);  // a port may have waited for each of these
-  }
-}
-
 TEST_CASE("the period is that of the line; a longer interval counts for an eighth") {
   sbus::Counters counters = {};
   constexpr uint32_t Negative = UINT32_MAX;
@@ -311,101 +286,35 @@ TEST_CASE("a frame behind one that waited has the age of its own poll") {
   CHECK(line.finder.frameTime() == before - (4 + 5) * Feeder::CharacterUs);
 }
 
-namespace {
-
-// FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
-Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace, uint8_t next = 0x3E) {
-  const Frame beginning = withByte(withByte(neutralFrame(number), 23, flagsPlace), 24, endPlace);
-  return bytesOf(beginning) + Bytes{next} + Bytes(8, 0x3E) + Bytes{0x08, 0x00};  // failsafe
-}
-
-}  // namespace
-
-TEST_CASE("from a reset on every frame is found, however seldom polls come: the first once the second has begun") {
-  for (const uint32_t periodUs : {3000u, 4000u, 9000u, 30000u}) {
-    CAPTURE(periodUs);
-    Feeder line;
-    line.wait(50000);
-    Frames sent, found;
-    for (unsigned number = 0; number < 12; number++) {
-      sent.push_back(plainFrame(number));
-      found = found + line.block(periodUs).poll(bytesOf(sent.back()));
-      CHECK(found.size() + 1 >= sent.size());
-    }
-    CHECK(found == sent);
-    CHECK(line.finder.counters().discardedBytes == 0);
-  }
-}
-
 TEST_CASE(
-    "where gaps are seen, the first frame begins at a gap, and is not the end of a longer frame that lost characters") {
-  for (size_t before = 0; before < 60; before++) {
-    for (const bool header : {false, true}) {
-      INFO("before ", before, ", header ", header);
-      const bool mayBeLonger = before > 1 && before <= 11;
-      Feeder line;
-      const Frames found = line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{}));
-      CHECK(found.empty() == (before > 0 || !header));
-      CHECK(line.wait(Feeder::GapUs).waited.empty() == (mayBeLonger || header));
-      CHECK(line.feed({0x0F}).empty());
-      const bool isFirst = before > 0 && (mayBeLonger || header);
-      CHECK(line.feed(part(Low, 1)).empty() == isFirst);
-      CHECK(line.wait(Feeder::GapUs).waited.size() == isFirst);
-    }
-  }
-}
-
-TEST_CASE("a failsafe frame that is not aligned comes once the line is silent behind it") {
-  const Bytes failsafe = bytesOf(FailsafeFrame);
+    "if the bytes behind the second frame make it look older than the first, there is a period only from the third "
+    "on") {
   Feeder line;
-  CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());  // noise hides the gap before it
-  CHECK(line.wait(Feeder::GapUs).waited == Frames{FailsafeFrame});
-  for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {
-    CAPTURE(unsigned{next});
-    Feeder without;
-    CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
-    CHECK(without.wait(Feeder::GapUs).waited.empty());
-  }
-  // The rest of a frame, and a frame that has lost as many characters: silence behind them proves nothing.
-  for (const size_t lost : {2u, 5u, 11u}) {
-    Feeder halves;
-    const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
-    halves.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) +
-                       part(failsafe, 10 + lost));
-    CHECK(halves.wait(Feeder::GapUs).waited.empty());
-    CHECK(halves.feed({0x0F}).empty());
-  }
+  REQUIRE(line.settle().feed(Low).empty());
+  REQUIRE(line.wait(4000).waited.size() == 1);
+  const uint32_t first = line.finder.frameTime();
+  CHECK(line.block(41 * Feeder::CharacterUs).poll(Low + part(Low, 0, 16)).size() == 1);
+  const uint32_t second = line.finder.frameTime();
+  CHECK(second - first == 0u - 5480);
+  CHECK(line.finder.counters().period == 0);
+  CHECK(line.feed(part(Low, 16)).size() == 1);
+  CHECK(line.finder.counters().period == line.finder.frameTime() - second);
 }
 
-TEST_CASE("still frames of 36 bytes that look like 25 of S.BUS2 with a slot's ID behind are never accepted") {
-  for (const unsigned end : {0x04u, 0x14u, 0x24u, 0x34u}) {
-    for (uint8_t slot = 0; slot < sbus::SlotCount; slot++) {
-      for (const uint32_t loopUs : {50u, 2000u, 5000u}) {
-        INFO("end ", end, ", slot ", unsigned{slot}, ", loopUs ", loopUs);
-        TimedLine line;
-        for (unsigned count = 0; count < 20; count++) {
-          line.send(frame36(1, 0x00, end, sbus::slotId(slot))).gap(9000 - 36 * 120);
-        }
-        CHECK(line.frames(loopUs).empty());
-      }
-    }
-  }
-}
-
-TEST_CASE("after frames of 25 bytes one of 36 bytes is accepted at most once, and never if it comes in large bursts") {
+TEST_CASE("the time over a missed frame counts as two periods, also if it is the first") {
+  Feeder line;
+  line.settle();
+  const Bytes frame = bytesOf(plainFrame(1));
+  Bytes other = frame;
+  other.back() = 0x55;
+  const auto send = [&](const Bytes &bytes) { return line.feed(bytes).size() + line.wait(6000).waited.size(); };
   const struct {
-    size_t burst;
-    unsigned most;
-  } rows[] = {{1, 1}, {9, 1}, {16, 0}, {36, 0}};
+    Bytes bytes;
+    size_t frames;
+    uint32_t period;  // then
+  } rows[] = {{frame, 1, 0}, {other, 0, 0}, {frame, 1, 9000}, {frame, 1, 9000}, {other, 0, 9000}, {frame, 1, 9000}};
   for (const auto &row : rows) {
-    CAPTURE(row.burst);
-    Feeder line;
-    line.lock();
-    Frames found;
-    for (unsigned number = 0; number < 40; number++) {
-      found = found + line.feed(frame36(number, 0x03, 0x00), row.burst);
-      line.wait(Feeder::GapUs);
-    }
-    CHECK(found.size() <= row.most);
+    CHECK(send(row.bytes) == row.frames);
+    CHECK(line.finder.counters().period == row.period);
   }
 }

@@ -386,3 +386,16 @@ TEST_CASE("frames are forbidden for eight gaps, or one if the characters may be 
     CHECK(gaps == row.gaps);
   }
 }
+
+TEST_CASE("stray: on a line whose variant is known, only where the frame before is missing: it may be mistaken") {
+  for (const unsigned end : {0x00u, 0x04u, 0x14u}) {
+    for (const int offBy : {-1, 0, 1, 25}) {
+      INFO("end ", end, ", offBy ", offBy);
+      const Case stray = {bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + Bytes{0x00}, 26, offBy, false, false};
+      Candidate<Frame16> c = stray.candidate();
+      CHECK(rules::mayHaveStray(c));
+      c.lineVariant = TailVariant;
+      CHECK(rules::mayHaveStray(c) == (offBy != 0));
+    }
+  }
+}

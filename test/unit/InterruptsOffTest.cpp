@@ -78,26 +78,6 @@ TEST_CASE("a frame that breaks off while interrupts are off is joined to no othe
   }
 }
 
-TEST_CASE("a loop() that is blocked while the port keeps all costs no frame, and is no shortfall") {
-  for (size_t at = 0; at < 25; at++) {
-    for (const unsigned frames : {1u, 2u, 3u}) {
-      INFO("at ", at, ", frames ", frames);
-      Line line;
-      Bytes bytes;
-      Frames whole;
-      for (unsigned i = 0; i <= frames; i++) {
-        whole.push_back(plainFrame(line.number + i));
-        bytes = bytes + bytesOf(whole.back());
-      }
-      Frames found = line.feed(part(bytes, 0, at));
-      found = found + line.block(frames * PeriodUs).poll(part(bytes, at, at + 25 * frames));
-      found = found + line.feed(part(bytes, at + 25 * frames));
-      CHECK(found == whole);
-      CHECK(line.finder.counters().shortfalls == 0);
-    }
-  }
-}
-
 TEST_CASE("no shortfall is counted while the period is unknown, nor if no poll finds nothing") {
   Feeder young;
   young.settle().feed(bytesOf(plainFrame(0)));

@@ -218,3 +218,19 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("a port that tells when the line was idle: its bytes took two characters' time each, the rest was silence") {
+  const struct {
+    unsigned found;
+    uint32_t us, silence;  // between two calls
+  } rows[] = {{1, 240, 0}, {1, 241, 1}, {16, 3840, 0}, {16, 3841, 1}, {25, 6000, 0}, {25, 9000, 3000}, {25, 0, 0}};
+  for (const auto &row : rows) {
+    for (const uint32_t before : {uint32_t{5000}, UINT32_MAX - 100}) {  // the clock wraps
+      INFO("found ", row.found, ", us ", row.us);
+      CHECK(timing(0).silence(row.found, before + row.us, before) == row.silence);
+      CHECK(timing(0, 60).silence(row.found, before + row.us / 2, before) == row.silence / 2);
+    }
+  }
+  CHECK(timing(0).shortestGap() == 240);
+  CHECK(timing(0, 60).shortestGap() == 120);
+}

@@ -46,23 +46,6 @@ struct Listening : ListeningBoard {
 
 }  // namespace
 
-TEST_CASE("without a call each frame is there with its last byte or an idle character, at each frame period") {
-  for (const uint64_t periodUs : {4000u, 6000u, 6300u, 7000u, 9000u, 14000u, 15000u, 30000u}) {
-    CAPTURE(periodUs);
-    Listening board;
-    for (unsigned number = 0; number < 200; number++) {
-      board.send(bytesOf(plainFrame(number)));
-      board.pass(120);
-      CHECK(board.frames.size() == number + 1);
-      board.pass(periodUs - 26 * 120);
-    }
-    for (unsigned number = 0; number < board.frames.size(); number++) {
-      CHECK(board.frames[number] == readBitByBit(plainFrame(number)));
-    }
-    CHECK(board.sbus.counters().discardedBytes == 0);
-  }
-}
-
 TEST_CASE(
     "the first frame is there once the line is idle after it; one that ends on a half of the port's ring waits for the "
     "next one's first bytes, or for a call that finds the line silent") {

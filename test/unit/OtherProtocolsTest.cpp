@@ -178,7 +178,7 @@ TEST_CASE("random bytes, and frames of S.Bus, are not named") {
   std::mt19937 random(Seed);
   CAPTURE(Seed);
   Bytes bytes;
-  for (unsigned i = 0; i < 1000000; i++) {
+  for (unsigned i = 0; i < 200000; i++) {
     bytes.push_back(static_cast<uint8_t>(random()));
   }
   CHECK(foundIn(bytes) == Finding::NoSignal);

@@ -152,21 +152,22 @@ TEST_CASE(
       All + Long);
 }
 
-TEST_CASE("SBusFrameOk() is false only if the link was stale when it was called") {
-  bool ok = false;
-  everyInstruction([&](FakeBoard &board) { ok = board.sbus.SBusFrameOk(); },
-                   [&](Scene &now, bool happened) {
-                     REQUIRE((ok || situation->stale));
-                     REQUIRE((happened || ok == !situation->stale));
-                     REQUIRE(now.board.sbus.SBusFrameOk());
-                   });
-}
-
-TEST_CASE("linkState() is that of one of the frames, and stale or never seen only if it was so when it was called") {
+TEST_CASE(
+    "SBusFrameOk(), linkState(), frameAge(), newFrame() and counters() are those before the interrupt, or of one of the "
+    "frames that came") {
+  bool ok = false, fresh = false;
   sbus::LinkState state{};
+  unsigned long age = 0;
+  uint32_t frames = 0;
   everyInstruction(
-      [&](FakeBoard &board) { state = board.sbus.linkState(); },
-      [&](Scene &now, bool) {
+      [&](FakeBoard &board) {
+        ok = board.sbus.SBusFrameOk();
+        state = board.sbus.linkState();
+        age = board.sbus.frameAge();
+        fresh = board.sbus.newFrame();
+        frames = board.sbus.counters().frames;
+      },
+      [&](Scene &now, bool happened) {
         const auto expected = [](unsigned number) {
           return failsafeOf(number) ? sbus::LinkState::Failsafe
                  : lostOf(number)   ? sbus::LinkState::Lossy
@@ -178,34 +179,14 @@ TEST_CASE("linkState() is that of one of the frames, and stale or never seen onl
           right = right || state == expected(number);
         }
         REQUIRE(right);
-        REQUIRE(now.board.sbus.linkState() == expected(now.next - 1));
-      });
-}
-
-TEST_CASE("frameAge() is the age of one of the frames, never below zero, and none before the first") {
-  unsigned long age = 0;
-  everyInstruction([&](FakeBoard &board) { age = board.sbus.frameAge(); },
-                   [&](Scene &, bool) {
-                     const bool never = situation->framesBefore == 0 && age == ULONG_MAX;
-                     const unsigned long oldest =
-                         situation->ageMs + 4 * situation->framesDuring + situation->interruptMs;
-                     REQUIRE((never || age <= oldest + 1));
-                   });
-}
-
-TEST_CASE(
-    "newFrame() and counters() include the frames before the interrupt, and all, some or none of those during it") {
-  bool fresh = false;
-  uint32_t frames = 0;
-  everyInstruction(
-      [&](FakeBoard &board) {
-        fresh = board.sbus.newFrame();
-        frames = board.sbus.counters().frames;
-      },
-      [&](Scene &now, bool) {
+        REQUIRE((ok || situation->stale));
+        REQUIRE((happened || ok == !situation->stale));
         REQUIRE((fresh || situation->stale));
-        REQUIRE(frames >= situation->framesBefore);
+        REQUIRE(frames >= before);
         REQUIRE(frames <= now.next);
+        const bool never = before == 0 && age == ULONG_MAX;
+        REQUIRE((never || age <= situation->ageMs + 4 * situation->framesDuring + situation->interruptMs + 1));
+        REQUIRE(now.board.sbus.linkState() == expected(now.next - 1));
         REQUIRE(now.board.sbus.newFrame());
       });
 }

@@ -67,7 +67,7 @@ struct Sketch {
 
 constexpr uint64_t Second = 1000000;
 // Rounds of 60 ms, within the seconds that the tests take. In the first ones the sensor only listens.
-constexpr uint64_t Rounds = 100 * Second / 60000, Listening = 5;
+constexpr uint64_t Flight = 25 * Second, Rounds = Flight / 60000, Listening = 5;
 
 constexpr sbus::VoltageSbs01V Voltage = {56, 125};
 constexpr sbus::CurrentF1678 Current = {2345, 1234, 1500};
@@ -82,7 +82,7 @@ TEST_CASE(
     sketch.bus.add({3, {1, 2}});
     CHECK(sketch.sensor.writeSensor(6, Voltage));
     CHECK(sketch.sensor.writeSensor(24, Current));
-    sketch.run(100 * Second, loopUs);
+    sketch.run(Flight, loopUs);
     MESSAGE(loopUs, " us: ", sketch.bus.judge().text());
     CHECK(sketch.counts().right >= (Rounds - Listening - 1) * 5);
     CHECK(sketch.counts().right == sketch.sensor.sentSlots());
@@ -107,7 +107,7 @@ TEST_CASE("with a slower loop() slots are skipped and counted; no answer is more
     Sketch sketch;
     CHECK(sketch.sensor.writeSensor(1, Voltage));
     CHECK(sketch.sensor.writeSensor(16, Current));
-    sketch.run(100 * Second, loopUs);
+    sketch.run(Flight, loopUs);
     MESSAGE(loopUs, " us: ", sketch.bus.judge().text(), "; skipped ", sketch.sensor.skippedSlots());
     CHECK(sketch.counts().wrong() == 0);
     CHECK(sketch.sensor.sentSlots() == sketch.counts().right);

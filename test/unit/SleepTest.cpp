@@ -198,41 +198,6 @@ TEST_CASE("on a board that is awake, no frame is stale over five hours, with pau
   }
 }
 
-TEST_CASE("extra channels from before a sleep are stale after it, until they come again") {
-  for (const uint64_t sleepUs : {100 * Ms, 5 * Second}) {
-    for (const bool goesOn : {false, true}) {
-      INFO("sleepUs ", sleepUs, ", goesOn ", goesOn);
-      fakeReset();
-      FakeBoard32 board;
-      board.sbus.begin();
-      board.firstFrame(Neutral.bytes);
-      unsigned number = 0;
-      const auto receive = [&] {
-        board.wait(6 * Ms);
-        board.frame(extraFrame(number));
-        board.wait(3 * Ms);
-        board.frame(plainFrame(number));
-        number++;
-      };
-      for (unsigned round = 0; round < 3; round++) {
-        receive();
-      }
-      std::array<uint16_t, 16> channels = {};
-      CHECK(board.sbus.decodeExtraChannels(channels.data()));
-      fakeDeepSleep(sleepUs);
-      if (goesOn) {  // frames come again, and no extra channels yet
-        board.nextFrame(plainFrame(4));
-        board.nextFrame(plainFrame(5));
-        CHECK(board.sbus.linkState() == LinkState::Ok);
-      }
-      CHECK_FALSE(board.sbus.decodeExtraChannels(channels.data()));
-      receive();
-      receive();
-      CHECK(board.sbus.decodeExtraChannels(channels.data()));
-    }
-  }
-}
-
 TEST_CASE("a sensor that was read before a sleep, and does not come after it, is not read after it") {
   for (const uint64_t sleepUs : {100 * Ms, 5 * Second}) {
     CAPTURE(sleepUs);

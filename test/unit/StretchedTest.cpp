@@ -241,3 +241,19 @@ TEST_CASE(
 TEST_CASE("... nor if frames come each 4 or 5 ms") {
   joinParts({4000, 5000});
 }
+
+TEST_CASE("a gap inside that is only likely rejects, and shows all the same that the sender stretches frames") {
+  const auto likely = [](Line &line) {
+    const Frame frame = neutralFrame(line.number++);
+    line.feed(part(frame, 0, 12));
+    line.finder.likelyGap();
+    const Frames frames = line.feed(part(frame, 12));
+    return line.named(frames + line.wait(WideUs).waited);
+  };
+  Line line;
+  CHECK(likely(line) == "nothing");
+  CHECK(line.stretched() == "it");
+  CHECK(likely(line) == "nothing");
+  CHECK(line.stretched() == "it");
+  CHECK(line.whole() == "it");
+}

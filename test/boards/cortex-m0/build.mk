@@ -22,7 +22,7 @@ ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
 INCLUDES := -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -I$(HERE)
 
 # PreemptTest and PreemptListeningTest live on x86's trap flag and Linux's signals, SBus2SensorTest plays to a simulated
-# S.BUS2 wire, and FifoWatchTest needs 180 million steps.
+# S.BUS2 wire, and FifoWatchTest needs 45 million steps.
 LEFT_OUT := FifoWatchTest PreemptTest PreemptListeningTest SBus2SensorTest
 RUNTIME := $(OUT)/Main.o $(OUT)/Runtime.o $(OUT)/Start.o
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
