@@ -1,6 +1,9 @@
 // Splits texts that arrive in pieces into lines.
 #include <doctest/doctest.h>
 
+#include <string>
+#include <vector>
+
 #include "line/file/LineSplitter.h"
 
 namespace {
