@@ -101,26 +101,6 @@ std::vector<int64_t> pulses(const std::vector<Level> &levels) {
   return lengths;
 }
 
-// Returns the common divisor of all pulses, if there is one: most probably the time between two samples.
-double gridNs(const std::vector<int64_t> &lengths) {
-  constexpr double RoundingNs = 50;  // a capture's times are rounded, some more than once
-  double grid = 0;
-  for (const int64_t length : lengths) {
-    double a = static_cast<double>(length);
-    double b = grid;
-    while (b > RoundingNs) {
-      const double rest = std::fmod(a, b);
-      a = b;
-      b = std::min(rest, a - rest);
-    }
-    grid = a;
-    if (grid <= RoundingNs) {
-      return 0;
-    }
-  }
-  return grid;
-}
-
 // Returns the length of the shortest pulse that is not a glitch; 0 without pulses.
 double shortest(const std::vector<int64_t> &lengths) {
   return lengths.empty() ? 0 : static_cast<double>(lengths[lengths.size() / 20]);
@@ -225,9 +205,7 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   if (const std::string train = pulseTrain(levels, pulseNs); !train.empty()) {
     return train;
   }
-  const double grid = gridNs(lengths);
-  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the divisor may be a bit
-  const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
+  const std::string slow = tooSlow(periodNs, 2 * ShortestBitNs);
   if (!slow.empty()) {
     return slow;
   }
