@@ -23,23 +23,18 @@ int bitsOf(double pulseNs, double bitNs) {
              : 0;
 }
 
-// Returns the bit time near `bitNs` that fits the pulses best; 0 if a quarter of them do not fit, or if nearly all last
-// an even number of bits, and so are bits at half the speed. All high pulses may be longer than the low ones, if the
-// threshold is not half way up the slopes: hence least squares over two unknowns.
+// Returns the bit time near `bitNs` that fits the pulses best; 0 if nearly all last an even number of bits, and so are
+// bits at half the speed. All high pulses may be longer than the low ones, if the threshold is not half way up the
+// slopes: hence least squares over two unknowns.
 double fit(const std::vector<Level> &levels, double bitNs) {
   double bits2 = 0, bitsSign = 0, bitsNs = 0, signNs = 0;
   int fitting = 0;
-  int misfits = 0;
   int odd = 0;
   for (size_t i = 0; i + 1 < levels.size(); i++) {
     const double ns = static_cast<double>(levels[i + 1].ns - levels[i].ns);
-    if (ns > (LongestPulse + 0.5) * bitNs) {
-      continue;  // idle
-    }
     const int bits = bitsOf(ns, bitNs);
     if (bits == 0) {
-      misfits++;
-      continue;
+      continue;  // idle, or a glitch
     }
     const double sign = levels[i].high ? 1 : -1;
     fitting++;
@@ -50,7 +45,7 @@ double fit(const std::vector<Level> &levels, double bitNs) {
     signNs += sign * ns;
   }
   const double determinant = bits2 * fitting - bitsSign * bitsSign;
-  if (fitting < 4 || misfits > fitting / 3 || odd < fitting / 8 || determinant <= 0) {
+  if (fitting < 4 || odd < fitting / 8 || determinant <= 0) {
     return 0;
   }
   return (bitsNs * fitting - bitsSign * signNs) / determinant;
