@@ -42,7 +42,8 @@ TEST_CASE("each format gives the same bytes at their times, at 100000 and 200000
           CHECK(decoded.wire.bitNs == doctest::Approx(wire.bitNs).epsilon(0.006));
           REQUIRE(decoded.characters.size() == All.size());
           const int64_t first = decoded.characters.front().startNs;
-          const bool shifted = format == TestFormat::Saleae || format == TestFormat::Scope || format == TestFormat::Rigol;
+          const bool shifted =
+              format == TestFormat::Saleae || format == TestFormat::Scope || format == TestFormat::Rigol;
           CHECK(std::abs(first - (shifted ? 1000000 : 2000000)) <= 2000);
           CHECK(std::abs(decoded.characters.back().startNs - first - static_cast<int64_t>(wire.ns - 6e6 - 12 * wire.bitNs)) <= 2000);
         }
