@@ -2,10 +2,8 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RecordingFile.h"
@@ -55,39 +53,14 @@ bool exists(const std::string &name) {
   return stat(name.c_str(), &status) == 0;
 }
 
-// Returns true if no source can be described by both words.
-bool exclude(const std::string &one, const std::string &other) {
-  const auto isCount = [](const std::string &word) { return word == "16" || word == "24" || word == "32"; };
-  const auto isNoise = [](const std::string &word) { return word.rfind("noise=", 0) == 0; };
-  const auto isSent = [&](const std::string &word) {
-    return isCount(word) || word == "sbus2" || word == "calibration";
-  };
-  const auto contradicts = [&](const std::string &a, const std::string &b) {
-    return (a == "silent" && isSent(b)) || (a == "sbus2" && isCount(b) && b != "16");
-  };
-  return contradicts(one, other) || contradicts(other, one) ||
-         (one != other && ((isCount(one) && isCount(other)) || (isNoise(one) && isNoise(other))));
-}
-
 // Takes the words after the colon. Returns what is wrong with the first wrong one, or "". `known` lists the words.
 std::string takeSourceWords(const std::string &words, const char *known, Source &source) {
   std::string wrong;
-  std::vector<std::string> taken;
   forEachBetweenCommas(words, [&](std::string_view each) {
     const std::string word = lower(withoutBlanks(each));
-    if (!wrong.empty()) {
-      return;
-    }
-    if (!takeSourceWord(word, source)) {
+    if (wrong.empty() && !takeSourceWord(word, source)) {
       wrong = quoted(word) + " is not allowed after the colon; " + known;
-      return;
     }
-    const auto other =
-        std::find_if(taken.begin(), taken.end(), [&](const std::string &before) { return exclude(before, word); });
-    if (other != taken.end()) {
-      wrong = *other + " and " + word + " exclude each other; leave one of them out";
-    }
-    taken.push_back(word);
   });
   return wrong;
 }

@@ -132,11 +132,8 @@ TEST_CASE("a date is written and read to the microsecond") {
     CHECK(us == each.us);
   }
   int64_t us = 0;
-  CHECK(line::parseWallTime("1970-01-01T00:00:01Z", us));
-  CHECK(us == 1000000);
-  for (const char *wrong :
-       {"", "1970-01-01", "1970-01-01T00:00:01", "1970-13-01T00:00:01Z", "1970-1-01T00:00:01Z", "1970-01-01T24:00:01Z",
-        "1970-01-01T00:00:01.Z", "1970-01-01T00:00:01.5", "1970-01-01T00:00:01.5Zx"}) {
+  for (const char *wrong : {"", "1970-01-01T00:00:01Z", "1970-13-01T00:00:01.000000Z", "1970-1-01T00:00:01.000000Z",
+                            "1970-01-01T00:00:01.5Z", "1970-01-01T00:00:01.000000", "1970-01-01T00:00:01.000000Zx"}) {
     CAPTURE(wrong);
     CHECK_FALSE(line::parseWallTime(wrong, us));
   }

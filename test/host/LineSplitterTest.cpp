@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "line/file/FileHead.h"
 #include "line/file/LineSplitter.h"
 
 namespace {
@@ -75,19 +74,4 @@ TEST_CASE("a line may have 16777216 characters; of a longer one a bounded part i
     CHECK(all.lines[1].size() <= line::TextLineMax + Piece);
     CHECK(all.wrong[1] == "the line is longer than 16777216 characters: line ends are expected");
   }
-}
-
-TEST_CASE("an object of JSON without an end is named before it fills the memory") {
-  line::FileHead head;
-  head.kind = line::FileKind::Json;
-  const auto reader = line::makeReader(head);
-  std::deque<line::Character> characters;
-  CHECK(reader->line("{\"type\":\"frame\", \"x\":[", characters).empty());
-  std::string wrong;
-  unsigned lines = 0;
-  for (; wrong.empty() && lines < 100; lines++) {
-    wrong = reader->line(std::string(line::TextLineMax / 10, '1'), characters);
-  }
-  CHECK(lines == 10);
-  CHECK(wrong.find("an object has no end; JSON lines") == 0);
 }

@@ -42,7 +42,8 @@ TEST_CASE("each format gives the same bytes at their times, at 100000 and 200000
           CHECK(decoded.wire.bitNs == doctest::Approx(wire.bitNs).epsilon(0.006));
           REQUIRE(decoded.characters.size() == All.size());
           const int64_t first = decoded.characters.front().startNs;
-          const bool shifted = format == TestFormat::Saleae || format == TestFormat::Scope || format == TestFormat::Rigol;
+          const bool shifted =
+              format == TestFormat::Saleae || format == TestFormat::Scope || format == TestFormat::Rigol;
           CHECK(std::abs(first - (shifted ? 1000000 : 2000000)) <= 2000);
           CHECK(std::abs(decoded.characters.back().startNs - first - static_cast<int64_t>(wire.ns - 6e6 - 12 * wire.bitNs)) <= 2000);
         }
@@ -90,12 +91,11 @@ TEST_CASE("variations of analysers and oscilloscopes give the same bytes") {
 // Rows as Hantek's DSO5000 writes them: Stylesoftware/Hantek-DSO5000-Series-CSV-to-PulseVIew, sample/WaveData50.csv; a
 // DSO2000 and a DSO5202P have the two bases in two lines. No file of a Rigol DHO was found: with times it is as a public
 // Python program for Rigol's oscilloscopes writes it, to be "compatible with the oscilloscope's export"; without times as
-// users report it. Reals are IEEE 1364's, 18.2.
-TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, give the same bytes") {
+// users report it.
+TEST_CASE("heads of oscilloscopes that name no columns give the same bytes") {
   const TestWire wire = wireOf();
-  std::string timed, sampled, both, reals;
+  std::string timed, sampled, both;
   size_t edge = 0;
-  double before = -1;
   for (int us = 0; us * 1000.0 < wire.ns; us++) {
     for (; edge < wire.edges.size() && wire.edges[edge] <= us * 1000.0; edge++) {
     }
@@ -103,10 +103,7 @@ TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, g
     timed += printed("%.5E,%.3f\n", (us + 1) / 1e6, volts * 1e3);
     sampled += printed("%.5E,,\n", volts);
     both += printed("%.6e,%.6e,,\n", us / 1e6 - 5e-4, volts);
-    reals += volts == before ? "" : printed("#%d r%.16g !\n", us, volts);
-    before = volts;
   }
-  const std::string dump = "$timescale 1 us $end\n$var real 64 ! CH1 $end\n$enddefinitions $end\n" + reals;
   const struct {
     const char *what;
     std::string text;
@@ -118,8 +115,6 @@ TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, g
       {"Rigol DHO, with times", "Time(s),CH1V,t0 =-5.000000e-04, tInc = 1.000000e-06,\n" + both, "CH1V"},
       {"Rigol DHO, without", "CH1V,t0 =-5.000000e-04,tInc =1.000000e-06\n" + sampled, "CH1V"},
       {"Rigol DHO, blanks", "CH1V, t0 = -5.0E-04, tInc = 1.0E-06,\n" + sampled, "CH1V"},
-      {"VCD", dump, "CH1"},
-      {"VCD, and a wire", replaced(dump, "$enddef", "$var wire 1 % CLK $end\n$enddef") + "0%\n", "CH1"},
   };
   for (const auto &row : rows) {
     INFO(row.what);
@@ -129,11 +124,6 @@ TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, g
     CHECK(decoded.bytes() == All);
     CHECK(decoded.signal == row.signal);
   }
-  line::Overrides overrides;
-  overrides.threshold = 2;
-  CHECK(Decoded(dump, overrides).bytes() == All);
-  overrides.threshold = 5;
-  CHECK(Decoded(dump, overrides).bytes().empty());
 }
 
 TEST_CASE("the threshold is found again where the wire goes much further than before") {

@@ -53,10 +53,13 @@ struct TestWire {
 // OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c:158 to 209, 276 to 313 (a row
 // for each change) and 365 to 391 (each sample); DsViewOld is from before DSView 1.2. PulseView...: libsigrok,
 // src/output/csv.c. Keysight: two rows of names, channels are numbers.
-enum class TestFormat { Vcd, Saleae, PulseView, PulseViewTimed, Scope, Rigol, OwonHandheld, DecimalCommas, DsView, DsViewOld, DsViewAnalogue, Keysight };
-constexpr TestFormat TestFormats[] = {TestFormat::Vcd,   TestFormat::Saleae,       TestFormat::PulseView,     TestFormat::PulseViewTimed,
-                                      TestFormat::Scope, TestFormat::Rigol,        TestFormat::OwonHandheld,  TestFormat::DecimalCommas,
-                                      TestFormat::DsView, TestFormat::DsViewOld,   TestFormat::DsViewAnalogue, TestFormat::Keysight};
+enum class TestFormat {
+  Vcd, Saleae, PulseView, PulseViewTimed, Scope, Rigol, OwonHandheld, DecimalCommas, DsView, DsViewOld, DsViewAnalogue, Keysight
+};
+constexpr TestFormat TestFormats[] = {
+    TestFormat::Vcd,          TestFormat::Saleae,        TestFormat::PulseView,      TestFormat::PulseViewTimed,
+    TestFormat::Scope,        TestFormat::Rigol,         TestFormat::OwonHandheld,   TestFormat::DecimalCommas,
+    TestFormat::DsView,       TestFormat::DsViewOld,     TestFormat::DsViewAnalogue, TestFormat::Keysight};
 
 template <typename... Values>
 std::string printed(const char *format, Values... values) {

@@ -115,6 +115,7 @@ WAYS = {
     "seconds": lines(lambda data, i: f"12.34{i} {UPPER(data)}"),
     "kernel's seconds": lines(lambda data, i: f"[   12.34{i}567] {UPPER(data)}"),
     "ms and a colon": lines(lambda data, i: f"{1000 + 9 * i}: {UPPER(data)}"),
+    "ms and a colon, decimal": lines(lambda data, i: f"{1000 + 9 * i}: {DECIMAL(data)}"),
     "ESP-IDF": lines(lambda data, i: f"I (1234{i}) sbus: {LOWER(data)}"),
     "ESP-IDF, coloured": lines(lambda data, i: f"\x1b[0;32mI (1234{i}) sbus: {LOWER(data)}\x1b[0m"),
     "ESP-IDF, hexdump": rows(ALL, 16, lambda at, row: f"I (12345) sbus: 0x{0x3ffb5000 + at:08x}   {LOWER(row):<48} |{ascii(row)}|"),

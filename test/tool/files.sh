@@ -137,6 +137,7 @@ rejected() {
 want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"and\"$want"
+printf '00001111 11100011\n' | rejected bits.txt ':1: "11100011" is not a byte: one or two hexadecimal digits are expected'
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
 printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
 printf 'BZh91AY&SY\001\002\003' | rejected flight.bz2 ': is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'

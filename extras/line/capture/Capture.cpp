@@ -41,8 +41,7 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Override
   } else if (isAsync) {
     opened.reader = std::make_unique<AsyncReader>(head, sink, overrides.baud);
   } else if (isVcd) {
-    analogue = head.find("$var real") != std::string_view::npos;
-    opened.reader = std::make_unique<VcdReader>(sink, overrides.threshold);
+    opened.reader = std::make_unique<VcdReader>(sink);
   } else {
     CsvLayout layout;
     opened.error = trimmed(head).empty() ? "is empty: a capture of a wire is expected"

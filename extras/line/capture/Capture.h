@@ -63,7 +63,7 @@ class CaptureReader {
   uint64_t lines() const { return _lines; }
 
   // Returns the time of the last sample read.
-  virtual int64_t endNs() { return _endNs; }
+  int64_t endNs() const { return _endNs; }
 
   // Returns the time between two samples; 0 if unknown.
   double periodNs() const { return _periodNs; }

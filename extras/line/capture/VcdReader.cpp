@@ -28,10 +28,6 @@ void takeRange(std::string_view range, double &highest, double &lowest) {
 
 }  // namespace
 
-VcdReader::VcdReader(LevelSink &sink, std::optional<double> threshold) : CaptureReader(sink), _threshold(threshold) {
-  _byCharacter.fill(None);
-}
-
 std::string VcdReader::put(std::string_view lines) {
   while (!lines.empty()) {
     std::string_view line = takeLine(lines);
@@ -39,12 +35,10 @@ std::string VcdReader::put(std::string_view lines) {
     for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
       std::string error = _inBody ? bodyWord(word) : headerWord(word);
       if (!error.empty()) {
-        endBlock();
         return error;
       }
     }
   }
-  endBlock();
   return {};
 }
 
@@ -83,9 +77,8 @@ std::string VcdReader::endSection() {
     const bool isNumber = takeNumber(at, text.data() + text.size(), number);
     const double unitNs = unitIn({at, static_cast<size_t>(text.data() + text.size() - at)});
     _unitNs = isNumber && (number == 1 || number == 10 || number == 100) && unitNs > 0 ? number * unitNs : _unitNs;
-    return _unitNs > 0
-               ? ""
-               : quoted(text) + " is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected";
+    return _unitNs > 0 ? ""
+                       : quoted(text) + " is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected";
   }
   if (_section == "$scope") {
     _scopes.push_back(_words.size() > 1 ? _words[1] : "");
@@ -111,12 +104,10 @@ std::string VcdReader::defineVariable() {
     return "a variable is not complete: type, number of bits, code and name are expected";
   }
   double width;
-  const bool isReal = _words[0] == "real";
-  if (!parseNumber(_words[1], width) || !(width >= 1) ||
+  if (_words[0] == "real" || !parseNumber(_words[1], width) || !(width >= 1) ||
       static_cast<double>(_names.size()) + width > static_cast<double>(SignalsMax)) {
     return {};
   }
-  width = isReal ? 1 : width;
   const std::string &code = _words[2];
   if (signalOf(code) != None) {
     return {};  // the same wire in another module
@@ -125,9 +116,6 @@ std::string VcdReader::defineVariable() {
     _byCharacter[static_cast<unsigned char>(code[0])] = _names.size();
   } else {
     _byCode[code] = _names.size();
-  }
-  if (isReal) {
-    _reals.emplace(_names.size(), AnalogueLevel(_threshold));
   }
   // "bus[7:0]" or "bus [7:0]"
   const size_t bracket = std::min(_words[3].find('[', 1), _words[3].size());
@@ -163,8 +151,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
   }
   if (_codeFollows) {
     _codeFollows = false;
-    const size_t signal = signalOf(word);
-    _reals.count(signal) > 0 ? setReal(signal) : setVector(signal);
+    setVector(signalOf(word));
     return {};
   }
   switch (word.front()) {
@@ -172,7 +159,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case '1': {
       const size_t signal = signalOf(word.substr(1));
       if (signal != None) {
-        setLevel(signal, word.front() == '1');
+        _sink.level(signal, _ns, word.front() == '1');
       }
       return word.size() > 1 ? "" : "a value has no code: one such as 1! is expected";
     }
@@ -191,7 +178,6 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case 'S':
       _codeFollows = true;
       _bits = word.front() == 'b' || word.front() == 'B' ? word.substr(1) : "";
-      _number = word.front() == 'r' || word.front() == 'R' ? word.substr(1) : "";
       return {};
     case '$':
       _passing = word == "$comment";
@@ -206,59 +192,9 @@ void VcdReader::setVector(size_t lowest) {
   for (size_t i = 0; lowest != None && !_bits.empty() && i < _widths[lowest]; i++) {
     const char bit = i < _bits.size() ? _bits[_bits.size() - 1 - i] : _bits.front() == '1' ? '0' : _bits.front();
     if (bit == '0' || bit == '1') {
-      setLevel(lowest + i, bit == '1');
+      _sink.level(lowest + i, _ns, bit == '1');
     }
   }
-}
-
-void VcdReader::setLevel(size_t signal, bool high) {
-  if (_reals.empty()) {
-    _sink.level(signal, _ns, high);
-  } else {
-    _changes.push_back({signal, _ns, high ? 1.0 : 0.0});
-  }
-}
-
-void VcdReader::setReal(size_t signal) {
-  double volts;
-  if (parseNumber(_number, volts)) {
-    _changes.push_back({signal, _ns, volts});
-  }
-}
-
-// Emits the levels of the current lines. Only now is a real's threshold known.
-void VcdReader::endBlock() {
-  for (auto &[signal, real] : _reals) {
-    learn(signal, real);
-  }
-  for (const Change &change : _changes) {
-    const auto entry = _reals.find(change.signal);
-    if (entry == _reals.end()) {
-      _sink.level(change.signal, change.ns, change.value != 0);
-    } else if (entry->second.changes(change.value)) {
-      _sink.level(change.signal, change.ns, entry->second.isHigh());
-    }
-  }
-  _changes.clear();
-}
-
-// A dump has changes, not samples: each voltage is weighted with its duration.
-void VcdReader::learn(size_t signal, AnalogueLevel &real) {
-  constexpr int64_t SampleNs = 1000;
-  constexpr int64_t SamplesMax = 100;  // per voltage
-  std::vector<double> volts;
-  const Change *before = nullptr;
-  for (const Change &change : _changes) {
-    if (change.signal != signal) {
-      continue;
-    }
-    if (before != nullptr) {
-      const int64_t samples = std::clamp<int64_t>((change.ns - before->ns) / SampleNs, 1, SamplesMax);
-      volts.insert(volts.end(), static_cast<size_t>(samples), before->value);
-    }
-    before = &change;
-  }
-  real.learn(volts);
 }
 
 std::string VcdReader::setTime(std::string_view digits) {

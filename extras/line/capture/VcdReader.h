@@ -1,25 +1,21 @@
 // Reads a value change dump, which nearly every logic analyser and simulator can write (IEEE 1364, chapter 18). Its
-// signals are scalar variables, bits of vectors, and reals, which are voltages.
+// signals are scalar variables and bits of vectors.
 #pragma once
 
 #include <array>
-#include <optional>
 #include <unordered_map>
 
 #include "line/capture/Capture.h"
-#include "line/capture/Threshold.h"
 
 namespace line {
 
 class VcdReader : public CaptureReader {
  public:
-  // `threshold`: for all reals; without it, one is found for each.
-  explicit VcdReader(LevelSink &sink, std::optional<double> threshold);
+  explicit VcdReader(LevelSink &sink) : CaptureReader(sink) { _byCharacter.fill(None); }
 
   std::string put(std::string_view lines) override;
   std::string finish() override;
   std::string format() const override { return "VCD"; }
-  bool needsFullBlocks() const override { return !_reals.empty() && !_threshold; }
 
  private:
   static constexpr size_t None = SIZE_MAX;
@@ -28,31 +24,15 @@ class VcdReader : public CaptureReader {
   std::string endSection();
   std::string defineVariable();
   void setVector(size_t lowest);
-  void setReal(size_t signal);
-  void setLevel(size_t signal, bool high);
-  void endBlock();
   std::string bodyWord(std::string_view word);
   std::string setTime(std::string_view digits);
   // Returns the signal of a code; for a vector, its lowest bit's, which the higher bits' follow.
   size_t signalOf(std::string_view code) const;
 
-  struct Change {
-    size_t signal;
-    int64_t ns;
-    double value;  // a voltage; 0 or 1 for other signals
-  };
-
-  void learn(size_t signal, AnalogueLevel &real);
-
-  const std::optional<double> _threshold;
-  std::unordered_map<size_t, AnalogueLevel> _reals;  // by signal
-  std::vector<Change> _changes;                      // in the current lines, in order, if there are reals
-
   bool _inBody = false;
   bool _passing = false;      // ignores words up to $end; in the body, a comment's
-  bool _codeFollows = false;  // the code of a vector or real is next
+  bool _codeFollows = false;  // the code of a vector, a real or a string is next
   std::string _bits;          // that vector's value
-  std::string _number;        // that real's value
   std::string _section;       // "$var": collects the section's words up to $end
   std::vector<std::string> _words;
   std::vector<std::string> _scopes;

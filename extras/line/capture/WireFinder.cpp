@@ -23,23 +23,18 @@ int bitsOf(double pulseNs, double bitNs) {
              : 0;
 }
 
-// Returns the bit time near `bitNs` that fits the pulses best; 0 if a quarter of them do not fit, or if nearly all last
-// an even number of bits, and so are bits at half the speed. All high pulses may be longer than the low ones, if the
-// threshold is not half way up the slopes: hence least squares over two unknowns.
+// Returns the bit time near `bitNs` that fits the pulses best; 0 if nearly all last an even number of bits, and so are
+// bits at half the speed. All high pulses may be longer than the low ones, if the threshold is not half way up the
+// slopes: hence least squares over two unknowns.
 double fit(const std::vector<Level> &levels, double bitNs) {
   double bits2 = 0, bitsSign = 0, bitsNs = 0, signNs = 0;
   int fitting = 0;
-  int misfits = 0;
   int odd = 0;
   for (size_t i = 0; i + 1 < levels.size(); i++) {
     const double ns = static_cast<double>(levels[i + 1].ns - levels[i].ns);
-    if (ns > (LongestPulse + 0.5) * bitNs) {
-      continue;  // idle
-    }
     const int bits = bitsOf(ns, bitNs);
     if (bits == 0) {
-      misfits++;
-      continue;
+      continue;  // idle, or a glitch
     }
     const double sign = levels[i].high ? 1 : -1;
     fitting++;
@@ -50,7 +45,7 @@ double fit(const std::vector<Level> &levels, double bitNs) {
     signNs += sign * ns;
   }
   const double determinant = bits2 * fitting - bitsSign * bitsSign;
-  if (fitting < 4 || misfits > fitting / 3 || odd < fitting / 8 || determinant <= 0) {
+  if (fitting < 4 || odd < fitting / 8 || determinant <= 0) {
     return 0;
   }
   return (bitsNs * fitting - bitsSign * signNs) / determinant;
@@ -99,26 +94,6 @@ std::vector<int64_t> pulses(const std::vector<Level> &levels) {
   }
   std::sort(lengths.begin(), lengths.end());
   return lengths;
-}
-
-// Returns the common divisor of all pulses, if there is one: most probably the time between two samples.
-double gridNs(const std::vector<int64_t> &lengths) {
-  constexpr double RoundingNs = 50;  // a capture's times are rounded, some more than once
-  double grid = 0;
-  for (const int64_t length : lengths) {
-    double a = static_cast<double>(length);
-    double b = grid;
-    while (b > RoundingNs) {
-      const double rest = std::fmod(a, b);
-      a = b;
-      b = std::min(rest, a - rest);
-    }
-    grid = a;
-    if (grid <= RoundingNs) {
-      return 0;
-    }
-  }
-  return grid;
 }
 
 // Returns the length of the shortest pulse that is not a glitch; 0 without pulses.
@@ -225,9 +200,7 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   if (const std::string train = pulseTrain(levels, pulseNs); !train.empty()) {
     return train;
   }
-  const double grid = gridNs(lengths);
-  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the divisor may be a bit
-  const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
+  const std::string slow = tooSlow(periodNs, 2 * ShortestBitNs);
   if (!slow.empty()) {
     return slow;
   }

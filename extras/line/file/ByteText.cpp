@@ -239,26 +239,20 @@ void ByteText::findOffsets(std::string_view head) {
 
 // Finds out what the numbers of the first lines look like.
 void ByteText::findStyle(std::string_view head) {
-  bool hasMarks = false, hasLetters = false, hasThree = false, hasOneDigit = false, hasZeros = false, hasCommas = false;
+  bool any = false, hasMarks = false, hasLetters = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
     _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
     for (Number &number : numbersOf(text)) {
+      any = true;
       takeEnd(number.text, '!');
-      const size_t size = number.text.size();
       hasMarks = hasMarks || takeMark(number.text);
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
-      hasThree = hasThree || size == 3;
-      hasOneDigit = hasOneDigit || size == 1;
-      hasZeros = hasZeros || (size == 2 && number.text[0] == '0');
-      hasCommas = hasCommas || number.sign == ',';
       _isList = _isList || number.isFirst;
     }
   }
   _isList = _isList || hasMarks || _hasStrings;
-  const bool isDecimal =
-      !hasMarks && !hasLetters && !hasOffsets() && (hasThree || (hasCommas && hasOneDigit && !hasZeros));
-  _base = isDecimal ? 10 : 16;
+  _base = any && !hasMarks && !hasLetters && !hasOffsets() ? 10 : 16;  // each frame has 0F
 }
 
 // Returns the numbers of a line that are its bytes: those in runs with the same sign between them. On a line with fewer

@@ -178,12 +178,8 @@ bool isLineType(const std::string &type) {
 
 JsonHead readJsonHead(std::string_view text) {
   JsonHead head;
-  JsonSplitter splitter;
-  for (const char c : text) {
-    if (!splitter.put(c)) {
-      continue;
-    }
-    const Object read = Object::parse(splitter.take(), nullptr, false);
+  while (!text.empty()) {
+    const Object read = Object::parse(takeLine(text), nullptr, false);
     if (read.is_object() && typeOf(read) == "line") {
       takeLineObject(read, head);
       head.isKnown = true;
@@ -198,49 +194,13 @@ JsonHead readJsonHead(std::string_view text) {
   return head;
 }
 
-bool JsonSplitter::put(char c) {
-  const bool isBegun = _depth > 0;
-  if (isBegun || c == '{') {
-    _object += c;
-  }
-  if (_inText) {
-    _inText = _isEscaped || c != '"';
-    _isEscaped = !_isEscaped && c == '\\';
-    return false;
-  }
-  _inText = isBegun && c == '"';
-  _depth += (c == '{' ? 1 : 0) - (isBegun && c == '}' ? 1 : 0);
-  return isBegun && _depth == 0;
-}
-
 std::string JsonReader::line(std::string_view text, std::deque<Character> &characters) {
-  for (const char c : text) {
-    if (!_splitter.isWithin() && c != '{' && !isBlank(c)) {
-      return quoted(withoutBlanks(text)) + " is not a JSON object; " + Expected;
-    }
-    if (!_splitter.put(c)) {
-      continue;
-    }
-    const std::string wrong = take(_splitter.take(), characters);
-    if (!wrong.empty()) {
-      return wrong;
-    }
+  if (withoutBlanks(text).empty()) {
+    return {};
   }
-  _splitter.put('\n');
-  return _splitter.isTooLong() ? std::string("an object has no end; ") + Expected : "";
-}
-
-std::string JsonReader::finish(std::deque<Character> & /*characters*/) {
-  return _splitter.isWithin() ? std::string("ends within an object; ") + Expected
-         : !_any              ? std::string("has no frames; ") + Expected
-                              : "";
-}
-
-// Returns what is wrong with the object, or nothing.
-std::string JsonReader::take(const std::string &object, std::deque<Character> &characters) {
-  const Object read = Object::parse(object, nullptr, false);
+  const Object read = Object::parse(text, nullptr, false);
   if (!read.is_object()) {
-    return line::quoted(object) + " is not a JSON object; " + Expected;
+    return line::quoted(withoutBlanks(text)) + " is not a JSON object; " + Expected;
   }
   const std::string type = typeOf(read);
   _hasEnded = type == "end";
@@ -265,6 +225,10 @@ std::string JsonReader::take(const std::string &object, std::deque<Character> &c
     character.sinceUs = sinceUs;
   }
   return put(us, static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
+}
+
+std::string JsonReader::finish(std::deque<Character> & /*characters*/) {
+  return _any ? "" : std::string("has no frames; ") + Expected;
 }
 
 // Appends characters that end at `endUs`, back to back.
