@@ -1,11 +1,9 @@
-// To be preloaded: the date jumps by an hour, to and fro, and files fail as a worn-out disk or card does.
+// To be preloaded: the PC sleeps, and files fail as a worn-out disk or card does.
 //
-//   HOURS=1                    CLOCK_REALTIME is an hour ahead in every other 50 ms
 //   ASLEEP=N,S                 the PC sleeps for S seconds after N ms, which CLOCK_MONOTONIC does not count
 //   EIO=read,NAME,BYTES        read() of a file of which the name contains NAME fails once BYTES have been read;
 //   EIO=write,NAME,BYTES       likewise write(); EIO=fsync,NAME,0: fsync()
 #include <dlfcn.h>
-#include <sys/time.h>
 #include <sys/types.h>
 #include <sys/uio.h>
 #include <time.h>
@@ -54,9 +52,6 @@ extern "C" {
 int clock_gettime(clockid_t clock, timespec *time) {
   static const auto next = real<int (*)(clockid_t, timespec *)>("clock_gettime");
   const int status = next(clock, time);
-  if (clock == CLOCK_REALTIME && std::getenv("HOURS") != nullptr && time->tv_nsec / 50000000 % 2 == 1) {
-    time->tv_sec += 3600;
-  }
   const char *const asleep = std::getenv("ASLEEP");
   if (clock == CLOCK_BOOTTIME && asleep != nullptr) {
     static const timespec first = *time;

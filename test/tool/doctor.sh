@@ -76,6 +76,8 @@ verdict $? "doctor tells the timeout for a long period"
 
 player send sim
 asked_live 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
+grep -qx 'This port does not tell how long it holds bytes back: gaps shorter than 19 ms are not seen.' "$work/doctor.out"
+verdict $? "doctor says which gaps are not seen at a port"
 kill $player
 player send sim:silent
 asked 1 'No signal:' - "$terminal"
@@ -84,50 +86,6 @@ for _ in 1 2 3 4 5; do cat golden/AllChannels.csv; done >"$work/board.csv"  # lo
 player send "$work/board.csv" --rows
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
-
-# An adapter that delivers bytes every few ms, in real time. A busy PC may be late, so these are only lines that tolerate
-# it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
-sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/LineSettings.cpp"
-# shellcheck disable=SC2086  # they are several
-g++ -std=c++17 -O1 -I. -Iimpairment -I../src -I../extras -I../extras/host $sources ../extras/line/system/PseudoTerminal.cpp ../extras/line/system/Unread.cpp \
-  ../src/sbus/Frame.cpp -o "$work/Adapter"
-verdict $? "tool/Adapter builds"
-adapter() {  # LINE PERIOD_MS LATENCY_MS FRAMES
-  rm -f "$work/terminal"
-  "$work/Adapter" "$@" >"$work/terminal" &
-  player=$!
-  until_true has_terminal
-}
-note='This port does not tell how long it holds bytes back: gaps shorter than 19 ms are not seen.'
-while read -r line period latency status finding; do
-  adapter "$line" "$period" "$latency" 1000
-  asked_live "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"
-  grep -qxF "$note" "$work/doctor.out"
-  verdict $? "doctor says which gaps are not seen: $line, $latency ms"
-  kill $player
-done <<END
-16 9 1 0 All well.
-16 9 16 0 All well.
-sbus2 15 16 0 All well.
-END
-adapter 16 9 16 200
-"$SBUS" record "$terminal" -o "$work/adapter.txt" 2>"$work/err"
-grep -q '^[0-9]*~[0-9]* ' "$work/adapter.txt" && "$SBUS" hex "$work/adapter.txt" >"$work/adapter.hex" &&
-  [ "$(grep -c ' frame ' "$work/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$work/adapter.txt" | grep -qx 'All well.'
-verdict $? "a recording from an adapter at 16 ms keeps its reads, so its frames are found again"
-kill $player
-
-# What comes at once after a stall accounts for its time: it was late, not missing. A busy PC may stall more often, and within
-# frames, which are discarded then.
-adapter 16 9 16 500
-"$SBUS" record "$terminal" -o "$work/stalled.txt" 2>"$work/err" &
-recorder=$!
-until_true has_lines 200 "$work/stalled.txt"
-kill -STOP $player && sleep 0.3 && kill -CONT $player
-wait $recorder
-"$SBUS" summary "$work/stalled.txt" >"$work/out" && grep -qE ': S.BUS, (4[5-9][0-9]|500) frames' "$work/out" && grep -qE '^no frames +none$' "$work/out" &&
-  grep -qE '^PC late +[1-9]' "$work/out" && "$SBUS" summary "$work/stalled.txt" -o - | grep -q 'o failsafe, no silence' || { head -n 20 "$work/out"; false; }
-verdict $? "an adapter that stalls for 0.3 s brings no silence: $(grep '^PC late' "$work/out" | tr -s ' ')"
 
 # A user who is not root may be denied a port: by mode 000, or by a program that has it exclusively (TIOCEXCL).
 folder=$(mktemp -d)

@@ -76,6 +76,13 @@ line="sim:noise=5 --simulated-time --seconds 10"
 "$SBUS" hex $line --json | sed -n 's/.*"channels":\[\(.*\)\],"ch17":\(.*\),"ch18":\(.*\),"lost_frame":\(.*\),"fail.*/\1,\2,\3,\4/p' | sed 's/false/0/g; s/true/1/g' >"$work/json" &&
   "$SBUS" csv $line --every-frame --columns ch1-ch18,lostframe | tr -d '\r' | cmp - "$work/json" && [ "$(wc -l <"$work/json")" -gt 900 ] && grep -q ',1$' "$work/json"
 verdict $? "hex --json has the frames of csv"
+for channels in 16 24; do
+  line="sim:noise=20,$channels --simulated-time --seconds 0.2"
+  # shellcheck disable=SC2086  # the arguments are words
+  "$SBUS" hex $line --values | awk -v count=$channels '/  (frame|frame24) end/ { for (i = NF - count + 1; i < NF; i++) printf "%s,", $i; print $NF }' >"$work/values" &&
+    "$SBUS" csv $line --every-frame --columns ch1-ch$channels | cmp - "$work/values" && [ "$(wc -l <"$work/values")" -gt 10 ]
+  verdict $? "hex --values of $channels channels agrees with csv"
+done
 "$SBUS" doctor sim --simulated-time --json >"$work/doctor"
 [ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim:uninverted --simulated-time --json >"$work/doctor" &&
   [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"Wrong polarity'

@@ -132,9 +132,6 @@ for source in sim "'$PWD/recordings/paper.txt'"; do
   verdict $? "monitor $source ends after --seconds, in real time"
   close
 done
-open 80x24 "'$SBUS' hex sim --simulated-time --seconds 0.02; sleep 1000" && shows '0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00' &&
-  grep -qx ' *03 1F F8 C0 07 3E F0 81 0F 7C 00 00 *' "$work/page.txt"
-verdict $? "hex fits its lines to the terminal's width"
 close
 
 # ---- A real line

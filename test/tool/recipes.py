@@ -66,8 +66,8 @@ def taken(start):
 
 
 def on(command, source):
-    """Returns a command that reads a port, on a source that ends."""
-    return command.replace("/dev/ttyUSB0 -", f"{source} - --seconds 0.3")
+    """Returns a command that reads a port, on a source that ends: late enough for a program that starts slowly on a busy PC."""
+    return command.replace("/dev/ttyUSB0 -", f"{source} - --seconds 1")
 
 
 class Receiver:
@@ -227,7 +227,7 @@ else:
     run(f"mosquitto_pub -p {port} -t ready -m end")
     seen = [of_json(line) for line in comes("end\n") or [] if line != "ready\n"]
     verdict(done.returncode == 0 and {"lost": 0, **US} in seen and seen[-1] == {"lost": 1}, "plot.py lines to MQTT")
-    run(on(command, LIVE).replace("mosquitto_pub", f"timeout -s KILL 0.2 mosquitto_pub -p {port}").replace("0.3", "5"))
+    run(on(command, LIVE).replace("mosquitto_pub", f"timeout -s KILL 0.2 mosquitto_pub -p {port}").replace("--seconds 1", "--seconds 5"))
     verdict(comes('{"lost": 1}\n') is not None, "MQTT: a killed publisher's will is a lost link")
 
 # ---- MAVLink

@@ -64,6 +64,13 @@ for file in tool/golden/*.txt; do
   grep -q "^$(basename "$file" .txt) " tool/LINES || verdict 1 "a line of tool/LINES has $file"
 done
 
+coloured() { on_terminal 300 env "$@" "$SBUS" hex sim:noise=100 --simulated-time --seconds 0.05; }
+coloured -u NO_COLOR TERM=xterm | cmp - tool/hex-colour.txt
+verdict $? "hex has colours on a terminal"
+coloured NO_COLOR=1 TERM=xterm >"$work/no-colour" && coloured -u NO_COLOR TERM=dumb | cmp - "$work/no-colour" &&
+  sed 's/\x1b\[[0-9;]*m//g' tool/hex-colour.txt | cmp - "$work/no-colour"
+verdict $? "hex has no colours with NO_COLOR or on a dumb terminal"
+
 # The paper's first frame, as bytes on standard input: two of them, since the second shows where the first one ends.
 frame='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
 [ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tail -n 1)" = "997,992,992,992,0,0" ]
@@ -271,7 +278,7 @@ for table in captures dumps; do
   mkdir "$work/$table"
   python3 "tool/$table.py" "$sbus" "$work/$table"
 done
-for part in wire hex files kinds counts send bridge stalls faults watch compare json summary stream systems telemetry recipes \
+for part in wire files kinds counts send bridge stalls faults watch compare json summary stream systems telemetry recipes \
   pages doctor; do
   tool/$part.sh
   [ $? -lt 126 ] || verdict 1 "tool/$part.sh can be run"

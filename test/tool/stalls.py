@@ -115,9 +115,7 @@ class Chain:
         for stage in stages:
             words = [{"PORT": self.receiver.port.name, "DEV": self.device.port.name, "SBUS": sys.argv[1]}.get(word, word) for word in stage]
             last = stage is stages[-1]
-            preload = os.environ.get("SBUS_PRELOAD") if stage[0] == "SBUS" else None
-            env = dict(os.environ, LD_PRELOAD=preload) if preload else None
-            self.stages.append(subprocess.Popen(words, env=env, stdin=self.stages[-1].stdout if self.stages else subprocess.DEVNULL,
+            self.stages.append(subprocess.Popen(words, stdin=self.stages[-1].stdout if self.stages else subprocess.DEVNULL,
                                                 stdout=subprocess.DEVNULL if last else subprocess.PIPE, stderr=self.errors))
             if len(self.stages) > 1:
                 self.stages[-2].stdout.close()
@@ -227,16 +225,6 @@ def lose(chain):
     return ends(chain, "no program reads it any longer")
 
 
-def goes_on(chain, frames):
-    """Nothing is stopped, but the date jumps: see Faults.cpp. A clock that went with it would see frames of the future."""
-    chain = Chain(CHAINS[chain])
-    count = len(chain.device.frames)
-    chain.waits_for_line(frames)
-    chain.end()
-    flagged = sum(flags == 12 for _, _, flags in chain.device.frames[count:])
-    return chain.figures() and flagged < frames / 4 and "another PC's clock" not in chain.said()
-
-
 def queue():
     """SIGSTOP while a frame waits for the gap after the one before it."""
     device = Device()
@@ -306,6 +294,6 @@ def times(*arguments):
     return back == 0 and read > 0.9 * len(came) and reader.returncode == 0
 
 
-cases = {"times": times, "stop": stop, "kill": kill, "vanish": vanish, "lose": lose, "goes_on": goes_on, "queue": queue, "full": full, "slow": slow}
+cases = {"times": times, "stop": stop, "kill": kill, "vanish": vanish, "lose": lose, "queue": queue, "full": full, "slow": slow}
 words = sys.argv[2:]
 sys.exit(not cases[words[0]](*[int(word) if word.isdigit() else word for word in words[1:]]))

@@ -20,8 +20,8 @@ namespace tool {
 // How a file is read: in real time; as fast as possible; or as fast as possible, and several times.
 enum class Playback { RealTime, AtOnce, Repeatable };
 
-// What a subcommand does with rows of CSV that are no frames. Sent: with --rows, as they are; SOURCE may be several words
-// such as ch3=172 ch5=on.
+// What a subcommand does with rows of CSV that are no frames. Sent: with --rows, as they are; SOURCE may be several
+// words such as ch3=172 ch5=on.
 enum class Rows { Shown, Sent, Rejected };
 
 class SourceOption {

@@ -65,11 +65,6 @@ Option &Option::oneOf(std::initializer_list<int> values) {
   return *this;
 }
 
-Option &Option::oneOf(std::initializer_list<const char *> values) {
-  _option->check(CLI::IsMember(values).description(""));
-  return *this;
-}
-
 Option &Option::type(const char *name) {
   _option->type_name(name);
   return *this;
@@ -95,14 +90,6 @@ Option Subcommand::option(const char *names, std::vector<std::string> &value, co
 }
 
 Option Subcommand::option(const char *names, double &value, const char *what) {
-  return Option(_app->add_option(names, value, what));
-}
-
-Option Subcommand::option(const char *names, int &value, const char *what) {
-  return Option(_app->add_option(names, value, what));
-}
-
-Option Subcommand::option(const char *names, unsigned &value, const char *what) {
   return Option(_app->add_option(names, value, what));
 }
 

@@ -26,7 +26,6 @@ class Option {
   Option &notEmpty();           // a name; it is empty if a script forgot to set a variable
   Option &notStandardOutput();  // a file name; standard output is already in use
   Option &oneOf(std::initializer_list<int> values);
-  Option &oneOf(std::initializer_list<const char *> values);
 
   // Sets the help's placeholder for the value: "FILE"; "" for none.
   Option &type(const char *name);
@@ -47,8 +46,6 @@ class Subcommand {
   Option option(const char *names, std::string &value, const char *what);
   Option option(const char *names, std::vector<std::string> &value, const char *what);
   Option option(const char *names, double &value, const char *what);
-  Option option(const char *names, int &value, const char *what);
-  Option option(const char *names, unsigned &value, const char *what);
   Option option(const char *names, unsigned long &value, const char *what);
   Option option(const char *names, const std::function<void(double)> &set, const char *what);
   Option flag(const char *name, const char *what);
