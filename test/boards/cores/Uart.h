@@ -117,13 +117,10 @@ void inPort();       // takes as long as a method of the port, where a core lock
 
 // What the tests expect of a core.
 struct Known {
-  bool inverts;            // its ports can invert
-  bool callsSerialEvent1;  // after each loop()
-  unsigned long baud;      // what 100000 becomes
-  unsigned stops;          // stop bits that it sends
-  unsigned waitsUs;        // EncodeSBus::write(), every 9 ms
-  bool counts;             // it says how much it takes: then write() never waits
-  bool takes8E2;           // false: an assertion fails
+  bool inverts;      // its ports can invert
+  unsigned stops;    // stop bits that it sends
+  unsigned waitsUs;  // EncodeSBus::write(), every 9 ms
+  bool counts;       // it says how much it takes: then write() never waits
 };
 
 }  // namespace sim

@@ -32,4 +32,4 @@ extern HardwareSerial Serial;
 extern HardwareSerial Serial1, Serial2;
 #endif
 
-constexpr sim::Known Core = {false, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {false, 2, 0, true};

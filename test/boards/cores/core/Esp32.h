@@ -1,9 +1,8 @@
 // github.com/espressif/arduino-esp32: cores/esp32/HardwareSerial.h and .cpp, esp32-hal-uart.c. ESP32_CORE is
-//    1  1.0.6 (3691149)
-//    2  2.0.14 (as TotemArduinoBoards 2.0.14-totem.2 has it); its interface is that of 2.0.3 on
-//    3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same
-//    way
-//  338  3.3.8, after issue 12527 and pull request 12569; its source was not read
+//   1  1.0.6 (3691149)
+//   2  2.0.14 (as TotemArduinoBoards 2.0.14-totem.2 has it); its interface is that of 2.0.3 on
+//   3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same
+//   way
 // Characters with errors are kept: core 1 asks for no error (esp32-hal-uart.c, _uart_isr()), IDF only reports them
 // (v5.1.4, driver/uart/uart.c:995). Before 2.0.6 120 characters at once were 112.
 #pragma once
@@ -24,11 +23,6 @@
 enum SerialConfig { SERIAL_8N1 = 0x800001c, SERIAL_8E1 = 0x800001e, SERIAL_8E2 = 0x800003e };
 #endif
 #define PINS_GIVEN 16, 17
-#if defined(ARDUINO_NANO_ESP32)
-static const uint8_t D0 = 44, D1 = 43, D2 = 5, D3 = 6, D4 = 7, D5 = 8;
-#elif defined(ARDUINO_XIAO_ESP32C3)
-static const uint8_t D1 = 3, D2 = 4, D3 = 5, D4 = 6, D6 = 21, D7 = 20;
-#endif
 #if !defined(CONFIG_IDF_TARGET_ESP32C3) && !defined(CONFIG_IDF_TARGET_ESP32C6) && !defined(CONFIG_IDF_TARGET_ESP32H2) && \
     !defined(CONFIG_IDF_TARGET_ESP32P4) && !defined(CONFIG_IDF_TARGET_ESP32S2) && !defined(CONFIG_IDF_TARGET_ESP32S3)
 #define CONFIG_IDF_TARGET_ESP32 1
@@ -101,9 +95,7 @@ class HardwareSerial : public Simulated<Stream> {
   }
   bool setPins(int8_t rx, int8_t, int8_t = -1, int8_t = -1) {
     _rx = rx;
-    if (ESP32_CORE != 338 || uart.isOpen()) {
-      attach(rx);
-    }
+    attach(rx);
     return true;
   }
 #endif
@@ -135,7 +127,7 @@ inline uint8_t HardwareSerial::number() const {
   return this == &Serial1 ? 1 : 2;
 }
 
-constexpr sim::Known Core = {true, ESP32_CORE != 1, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, 2, 0, true};
 
 #define OPENED_BY_HAND
 inline void openByHand() {
