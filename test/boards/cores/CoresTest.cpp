@@ -186,36 +186,6 @@ TEST_CASE("a buffer that overflows within a frame joins no parts of two frames, 
   CHECK(delivered > 24 * 100 * InSync);
 }
 
-TEST_CASE("interrupts off for 5 to 50 ms join parts of two frames in few stops") {
-  constexpr unsigned Frames = 40;
-  std::minstd_rand random(20181);
-  unsigned stops = 0, wrong = 0;
-  for (const unsigned periodUs : {7000u, 9000u, 14000u}) {
-    for (const unsigned loopUs : {50u, 1000u}) {
-      for (unsigned offUs = 5000; offUs < 50000 && SBUS_PORT.uart.keeps() != 0; offUs += 37) {
-        switchOn();
-        DecodeSBus dSBus(SBUS_PORT);
-        dSBus.begin();
-        dSBus.setTimeout(0);
-        putOnLine(Frames, 100000, Openings[0].inverted, periodUs);
-        Delivered delivered;
-        for (const uint64_t us = world.nowUs + 30 * periodUs + random() % periodUs; world.nowUs < us;
-             world.nowUs += loopUs) {
-          delivered.poll(dSBus);
-        }
-        SBUS_PORT.uart.turnOff(offUs);
-        delivered.loop(dSBus, loopUs);
-        stops++;
-        wrong += delivered.wrong;
-      }
-    }
-  }
-  if (stops != 0) {
-    MESSAGE(wrong, " wrong frames, ", stops, " stops");
-  }
-  CHECK(wrong * 1000 <= stops * (SBUS_PORT.uart.keeps() < 32 ? 20 : 3));  // the clock of an AVR and of a Teensy 4 tells little
-}
-
 TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin() does not change it") {
   for (const unsigned loopUs : {50u, 1000u, 3000u}) {
     CAPTURE(loopUs);

@@ -66,8 +66,7 @@ class Uart {
     _keeps = characters;
     _overflowUs = overflowUs;
   }
-  unsigned keeps() const { return _keeps; }  // 0: nothing is known
-  void turnOff(uint64_t us);                 // interrupts, for this time
+  void turnOff(uint64_t us);  // interrupts, for this time
   void lookIntoFifo() { _seesFifo = true; }  // available() counts what waits for a burst, and read() takes it
   bool isHalfDuplex() const { return _isHalfDuplex; }
   unsigned behind() const { return _drops == Fifo ? FifoSize + _burst : 0; }  // bytes that wait behind a full buffer

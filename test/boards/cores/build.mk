@@ -23,10 +23,9 @@ ROOT := $(abspath $(HERE)/../../..)
 HOST := $(ROOT)/extras/host
 
 # The stand-in, its variant, and the core's C++ (platform.txt).
-CORES := avr esp32-1.0 esp32-2.0 esp32-3.0 esp8266 megaavr nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
+CORES := avr esp32-1.0 esp32-3.0 esp8266 megaavr nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
 avr := Avr gnu++11
 esp32-1.0 := Esp32 gnu++11 -DESP32_CORE=1
-esp32-2.0 := Esp32 gnu++11 -DESP32_CORE=2
 esp32-3.0 := Esp32 gnu++2b -DESP32_CORE=3
 esp8266 := Esp8266 gnu++17
 megaavr := MegaAvr gnu++11
@@ -51,7 +50,7 @@ esp32-c6 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C6=1
 esp32-h2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32H2=1
 esp32-p4 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32P4=1
 esp32-pico := Esp32 gnu++2b -DESP32_CORE=3 -DARDUINO_ESP32_PICO
-esp32-psram := Esp32 gnu++11 -DESP32_CORE=2 -DBOARD_HAS_PSRAM
+esp32-psram := Esp32 gnu++2b -DESP32_CORE=3 -DBOARD_HAS_PSRAM
 esp32-s2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S2=1
 esp32-s3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1
 feather-m4 := Samd gnu++11 -DADAFRUIT_FEATHER_M4_EXPRESS
