@@ -31,13 +31,12 @@ build = mkdir -p build && $(if $(shell command -v flock),flock build/making) $(M
 
 SKETCH ?= examples/DecodeSBus
 sketch_name = $(notdir $(SKETCH:/=))
-sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS $(if $(PTY),| sed 's/--seconds [0-9]*//'))
+sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS)
 
 demo:
 	@sh extras/setup/packages.sh g++ libcli11-dev libserialport-dev
 	+@$(build) -C extras/host SKETCH='$(SKETCH)' 1>&2
-	@build/host/$(sketch_name) $(if $(SOURCE),--source '$(SOURCE)',$(sketch_options)) \
-	  $(if $(PTY),--pty)
+	@build/host/$(sketch_name) $(if $(SOURCE),--source '$(SOURCE)',$(sketch_options))
 
 sbus:
 	@sh extras/setup/packages.sh $(TOOL)

@@ -50,7 +50,7 @@ sketch:
 # An archive, so that a program takes what it uses and nothing else: the ports and the clock are fakes. Of arduino only
 # what a HardwareSerial is made of.
 HOST_OBJECTS := $(SOURCES:%.cpp=src/%.o) $(LINE_SOURCES:%.cpp=%.o) arduino/Print.o \
-  $(addprefix board/,BoardUart.o BoardTransmitter.o BoardPort.o PortSettings.o Sender.o)
+  $(addprefix board/,BoardUart.o BoardPort.o PortSettings.o Sender.o)
 $(OUT)/board.a: $(HOST_OBJECTS:%=$(OUT)/sketches/objects/%)
 	@rm -f $@
 	ar rcs $@ $^

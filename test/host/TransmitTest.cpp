@@ -111,22 +111,32 @@ TEST_CASE("a character counts as sent at its end, not a microsecond before, and 
   CHECK(sentBy(transmitter, 5556).size() == 1);  // the 64th: 5555.52 us
 }
 
-TEST_CASE("the board's buffer becomes free by packets of up to 32, which do not cross the ring's end") {
+TEST_CASE("a place becomes free when its character has been sent") {
   BoardTransmitter transmitter;
   transmitter.open(SBusNs);
   REQUIRE(write(transmitter, 0, 50) == 50);
+  CHECK(transmitter.nextUs() == 120);
   sentBy(transmitter, 31 * 120);
-  CHECK(transmitter.availableForWrite() == 14);
-  CHECK(transmitter.packetEndUs() == 32 * 120);
-  sentBy(transmitter, 32 * 120);
-  CHECK(transmitter.availableForWrite() == 46);
-  CHECK(transmitter.packetEndUs() == 50 * 120);
+  CHECK(transmitter.availableForWrite() == 14 + 31);
+  CHECK(transmitter.nextUs() == 32 * 120);
   sentBy(transmitter, 50 * 120);
   CHECK(transmitter.availableForWrite() == 64);
-  CHECK(transmitter.packetEndUs() == 0);
-  REQUIRE(write(transmitter, 6000, 25) == 25);  // 14 up to the ring's end
-  sentBy(transmitter, 6000 + 14 * 120);
-  CHECK(transmitter.availableForWrite() == 64 - 11);
+  CHECK(transmitter.nextUs() == 0);
+}
+
+TEST_CASE("characters that have begun come once each, at their start") {
+  BoardTransmitter transmitter;
+  transmitter.open(SBusNs);
+  write(transmitter, 0, 2);
+  Character character;
+  CHECK(transmitter.begun(0, character));
+  CHECK(character.endUs == 120);
+  CHECK_FALSE(transmitter.begun(119, character));
+  CHECK(sentBy(transmitter, 120).size() == 1);
+  CHECK(transmitter.begun(120, character));
+  CHECK(character.value == 1);
+  CHECK(character.endUs == 240);
+  CHECK_FALSE(transmitter.begun(1000, character));
 }
 
 TEST_CASE(

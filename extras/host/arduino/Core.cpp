@@ -20,11 +20,11 @@ Board &polled() {
   return Board::instance();
 }
 
-// Waits until the current packet is sent.
-void waitForPacket(const host::BoardTransmitter &transmitter) {
+// Waits until a place in the transmit buffer becomes free.
+void waitForPlace(const host::BoardTransmitter &transmitter) {
   Board &board = Board::instance();
   const uint64_t nowUs = board.clock().nowUs();
-  board.spend(max(transmitter.packetEndUs(), nowUs + 1) - nowUs);
+  board.spend(max(transmitter.nextUs(), nowUs + 1) - nowUs);
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ size_t Uart::write(const uint8_t *buffer, size_t size) {
   host::BoardTransmitter &transmitter = port().transmitter();
   size_t done = transmitter.write(board.clock().nowUs(), buffer, size);
   while (done < size && transmitter.isOpen() && !board.inCallback()) {
-    waitForPacket(transmitter);
+    waitForPlace(transmitter);
     done += transmitter.write(board.clock().nowUs(), buffer + done, size - done);
   }
   return done;
@@ -201,7 +201,7 @@ size_t Uart::write(const uint8_t *buffer, size_t size) {
 void Uart::flush() {
   host::BoardTransmitter &transmitter = port().transmitter();
   while (!transmitter.idle() && !Board::instance().inCallback()) {
-    waitForPacket(transmitter);
+    waitForPlace(transmitter);
   }
 }
 

@@ -1,5 +1,4 @@
-// EEPROM: memory that keeps its contents without power: here in the file of --eeprom; without it, until the program
-// ends.
+// EEPROM: memory that keeps its contents without power; here only until the program ends.
 #pragma once
 
 #include <stddef.h>

@@ -53,7 +53,6 @@ void Board::step(uint64_t us) {
     if (port(number).isUsed()) {
       share(number);
       send(number);
-      share(number);  // another packet may follow
     }
   }
   for (BoardPort &port : _ports) {

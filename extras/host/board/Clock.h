@@ -17,8 +17,7 @@ class Clock {
  public:
   enum class Pace { Simulated, Real };
 
-  explicit Clock(Pace pace = Pace::Simulated, uint32_t startMs = 0)
-      : _pace(pace), _startUs(uint64_t{startMs} * 1000) {}
+  explicit Clock(Pace pace = Pace::Simulated) : _pace(pace) {}
 
   // Advances the time by `us`.
   void spend(uint64_t us) {
@@ -32,15 +31,14 @@ class Clock {
   // Returns the time since the program's start.
   uint64_t nowUs() const { return _nowUs; }
 
-  // Returns the sketch's time, which counts from `startMs` and wraps at 32 bits.
-  uint32_t millis() const { return static_cast<uint32_t>((_startUs + _nowUs) / 1000); }
-  uint32_t micros() const { return static_cast<uint32_t>(_startUs + _nowUs); }
+  // Returns the sketch's time, which wraps at 32 bits.
+  uint32_t millis() const { return static_cast<uint32_t>(_nowUs / 1000); }
+  uint32_t micros() const { return static_cast<uint32_t>(_nowUs); }
 
  private:
   static constexpr uint64_t SleepUs = 1000;  // sleeping more often costs CPU time and makes nothing visibly smoother
 
   Pace _pace;
-  uint64_t _startUs;
   uint64_t _nowUs = 0;
   uint64_t _nextSleepUs = 0;
   uint64_t _beganUs = line::clockUs();  // as line::SerialPort, whose times must not be ahead after the PC has slept

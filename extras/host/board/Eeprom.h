@@ -1,10 +1,8 @@
-// The memory that keeps its contents without power: between two runs in a file, if it has one.
+// The EEPROM: it is erased when the program starts.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 namespace host {
 
@@ -12,26 +10,32 @@ class Eeprom {
  public:
   static constexpr size_t Size = 4096;  // the core offers this part of the board's 6 KB
 
-  Eeprom();
-  ~Eeprom();
-  Eeprom(const Eeprom &) = delete;
-  Eeprom &operator=(const Eeprom &) = delete;
-
-  // Keeps the contents in this file; creates an erased one if it is missing. Throws std::runtime_error.
-  void keepIn(const std::string &file);
-
   // Returns a byte; 0 if the address does not exist. write() does nothing there.
-  uint8_t read(int address) const;
+  uint8_t read(int address) const { return exists(address) ? _bytes[address] : 0; }
 
-  // Writes, also to the file. Returns how long the sketch has to wait, in us.
-  uint64_t write(int address, const uint8_t *bytes, size_t size);
+  // Writes what changes. Returns how long the sketch has to wait, in us.
+  uint64_t write(int address, const uint8_t *bytes, size_t size) {
+    constexpr int WordSize = 4;
+    constexpr uint64_t WordUs = 3300;  // the approximate time to write a word
+    uint64_t us = 0;
+    int lastWord = -1;
+    for (size_t i = 0; i < size; i++, address++) {
+      if (!exists(address) || _bytes[address] == bytes[i]) {
+        continue;
+      }
+      _bytes[address] = bytes[i];
+      if (address / WordSize != lastWord) {
+        lastWord = address / WordSize;
+        us += WordUs;
+      }
+    }
+    return us;
+  }
 
  private:
-  void save(size_t address);
+  static bool exists(int address) { return address >= 0 && address < static_cast<int>(Size); }
 
-  std::vector<uint8_t> _bytes;
-  std::string _file;
-  int _handle = -1;
+  uint8_t _bytes[Size] = {};  // erased: 00
 };
 
 }  // namespace host

@@ -44,15 +44,11 @@ void SketchInput::fetch(uint64_t nowUs) {
     return;
   }
   const bool due = nowUs >= _nextPollUs;
-  if (!_ended && (due || _patient)) {
-    fetchFromStandardInput();
-  }
-  if (_terminal != nullptr && due) {
-    uint8_t bytes[BufferSize];
-    take(bytes, _terminal->read(bytes, room()));
-  }
   if (due) {
     _nextPollUs = nowUs + PollUs;
+  }
+  if (!_ended && (due || _patient)) {
+    fetchFromStandardInput();
   }
 }
 

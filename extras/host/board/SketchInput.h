@@ -1,10 +1,8 @@
-// The input of the sketch's Serial: standard input, and a pseudo-terminal if there is one.
+// The input of the sketch's Serial: standard input.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-
-#include "line/ports/PseudoTerminal.h"
 
 namespace host {
 
@@ -17,9 +15,6 @@ class SketchInput {
   // If `patient`, it waits until a pipe or a file has filled the buffer or ended, so that every run reads the same
   // bytes. It gives up on a pipe that has been silent for a second.
   void setPatient(bool patient) { _patient = patient; }
-
-  // `terminal` must outlive the sketch.
-  void attach(line::PseudoTerminal &terminal) { _terminal = &terminal; }
 
   // Before begin() there is nothing to read, as on the board.
   void begin() { _begun = true; }
@@ -40,7 +35,6 @@ class SketchInput {
   bool _patient = false;
   bool _ended = false;  // standard input has ended
   uint64_t _nextPollUs = 0;
-  line::PseudoTerminal *_terminal = nullptr;
   uint8_t _buffer[BufferSize] = {};
   size_t _first = 0;
   size_t _count = 0;

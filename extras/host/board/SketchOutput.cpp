@@ -9,8 +9,6 @@ namespace host {
 
 namespace {
 
-constexpr size_t TerminalLineMax = 256;  // a longer line goes to the pseudo-terminal in pieces
-
 // Ends the program, since standard output is gone; without a message if just its reader has ended, such as head.
 [[noreturn]] void leave() {
   if (errno != EPIPE) {
@@ -34,14 +32,6 @@ size_t SketchOutput::write(const uint8_t *bytes, size_t size) {
   }
   if (_lineByLine && (std::memchr(bytes, '\n', size) != nullptr || std::memchr(bytes, '\r', size) != nullptr)) {
     flush();
-  }
-  for (size_t i = 0; _terminal != nullptr && i < size; i++) {
-    _terminalLine += static_cast<char>(bytes[i]);
-    const bool returns = bytes[i] == '\r' && i + 1 == size;  // the paper's line end; println() sends \r\n at once
-    if (bytes[i] == '\n' || returns || _terminalLine.size() == TerminalLineMax) {
-      _terminal->write(reinterpret_cast<const uint8_t *>(_terminalLine.data()), _terminalLine.size());
-      _terminalLine.clear();
-    }
   }
   return size;
 }

@@ -1,11 +1,9 @@
-// The output of the sketch's Serial: standard output, and a pseudo-terminal if there is one.
+// The output of the sketch's Serial: standard output.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <utility>
+#include <cstddef>
+#include <cstdint>
 
-#include "line/ports/PseudoTerminal.h"
 #include "line/recording/CsvRows.h"
 
 namespace host {
@@ -14,8 +12,6 @@ class SketchOutput {
  public:
   // With `lineByLine` every line is flushed, instead of full buffers.
   void setLineByLine(bool lineByLine) { _lineByLine = lineByLine; }
-
-  void attach(std::unique_ptr<line::PseudoTerminal> terminal) { _terminal = std::move(terminal); }
 
   void begin() { _begun = true; }
 
@@ -33,8 +29,6 @@ class SketchOutput {
   unsigned long _lostBeforeBegin = 0;
   line::CsvRows _rows;
   unsigned long _lines = 0;
-  std::unique_ptr<line::PseudoTerminal> _terminal;
-  std::string _terminalLine;  // not yet written to the terminal
 };
 
 }  // namespace host

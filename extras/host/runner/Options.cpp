@@ -137,8 +137,6 @@ Options parseOptions(int argc, char **argv) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_flag("--pulses", options.pulses, "servo pulses at the pins 2..5, as from a receiver without S.Bus");
-  app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
-      ->type_name("FILE");
   app.add_option("--seconds", options.seconds, "end after this many seconds (default: 15; calibration: 40)")
       ->check(CLI::Validator(checkSeconds, ""))
       ->type_name("S");
@@ -146,9 +144,6 @@ Options parseOptions(int argc, char **argv) {
   app.add_option("--loop-us", options.loopUs, "what a call of loop() costs, in microseconds (50)")
       ->check(CLI::Range(1, 1000000).description(""))
       ->type_name("N");
-  app.add_option("--start-ms", options.startMs, "what millis() starts from (0)")->type_name("N");
-  app.add_flag("--pty", options.pty,
-               "offer the sketch's Serial on a pseudo-terminal as well: wait for its reader, and run until Ctrl-C");
 
   try {
     app.parse(argc, argv);
@@ -159,7 +154,7 @@ Options parseOptions(int argc, char **argv) {
   } catch (const CLI::ParseError &error) {
     std::exit(app.exit(error));
   }
-  if (options.seconds == 0 && options.source.isSimulated() && options.port.empty() && !options.pty) {
+  if (options.seconds == 0 && options.source.isSimulated() && options.port.empty()) {
     options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // one period
   }
   return options;

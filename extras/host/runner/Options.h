@@ -31,12 +31,9 @@ struct Options {
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;
   bool pulses = false;  // a receiver without S.Bus is connected to pins 2..5
-  std::string eeprom;   // a file's name, or empty
   double seconds = 0;   // 0: until the line ends
   bool simulatedTime = false;
   uint32_t loopUs = 50;
-  uint32_t startMs = 0;
-  bool pty = false;
 };
 
 // Reads the command line. Ends the program if it is wrong or asks for help.

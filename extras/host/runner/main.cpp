@@ -3,14 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "Options.h"
@@ -108,38 +106,14 @@ void runSerialEvents() {
   }
 }
 
-// Waits until a program reads: a simulated or recorded line begins then. A real one does not wait.
-void waitForReader(const line::PseudoTerminal &terminal) {
-  std::fprintf(stderr, "waiting until a program opens %s; Ctrl-C stops it\n", terminal.name().c_str());
-  while (!terminal.hasReader()) {
-    if (stopRequested != 0) {
-      std::exit(EXIT_SUCCESS);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  std::fprintf(stderr, "it is open: the sketch starts\n");
-}
-
-// Makes standard input and output, and the pseudo-terminal, the sketch's Serial.
+// Makes standard input and output the sketch's Serial.
 void prepareUsb(Board &board, const Options &options) {
   board.output().setLineByLine(!options.simulatedTime);
   board.input().setPatient(options.simulatedTime && isatty(STDIN_FILENO) == 0);
-  if (options.pty) {
-    auto terminal = std::make_unique<line::PseudoTerminal>();
-    std::fprintf(stderr, "Serial (USB) is on %s as well\n", terminal->name().c_str());
-    if (options.port.empty()) {
-      waitForReader(*terminal);
-    }
-    board.input().attach(*terminal);
-    board.output().attach(std::move(terminal));
-  }
 }
 
 // Opens the files, before anything is printed: if one cannot be used, the only output is that message.
 void prepareFiles(Board &board, const Options &options) {
-  if (!options.eeprom.empty()) {
-    board.eeprom().keepIn(options.eeprom);
-  }
   for (const SentOption &sent : options.sent) {
     board.port(sent.port).sender().record(std::make_unique<line::RecordingFile>(sent.file));
   }
@@ -191,7 +165,7 @@ void hint(const line::Observer &observer, const std::string &port) {
     }
     ending.check(nowUs);
   });
-  board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real, options.startMs));
+  board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real));
 
   setup();
   while (!ending.reached(board.clock().nowUs())) {

@@ -32,7 +32,6 @@ namespace cores {
 using sim::world;
 using Numbers = std::vector<unsigned>;  // of frames, from 0 on
 
-constexpr bool Hears = Core.baud > 98000 && Core.baud < 102000;
 // Core 1 of the ESP32 cannot be told a smaller one.
 #if defined(ESP32) && ESP32_CORE == 1
 constexpr unsigned MostBurst = 112;
@@ -149,17 +148,5 @@ class Software : public Simulated<Stream> {
   }
 #endif
 };
-
-// Opens the port as its core allows.
-inline void open(DecodeSBus &dSBus) {
-  if (Hears) {
-    dSBus.begin();
-    return;
-  }
-#if defined(OPENED_BY_HAND)
-  openByHand();
-#endif
-  dSBus.listen();
-}
 
 }  // namespace cores

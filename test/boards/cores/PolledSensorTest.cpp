@@ -81,7 +81,7 @@ TEST_CASE_TEMPLATE(
     "with a loop() of up to 60 us nearly every slot is answered, within 50 us of its time, and no frame is lost",
     Sketch, WithDiode, OnSingleWire) {
   for (const unsigned earlyUs : {0u, 15u}) {
-    for (const unsigned loopUs : {1u, 10u, 37u, 60u}) {
+    for (const unsigned loopUs : {10u, 60u}) {
       CAPTURE(earlyUs);
       CAPTURE(loopUs);
       Sketch sketch;

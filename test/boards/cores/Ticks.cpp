@@ -1,4 +1,4 @@
-// What calls each millisecond on a Teensy and a SAMD: World's alarm.
+// What calls each millisecond on a Teensy 4 and a SAMD: World's alarm.
 #include <Arduino.h>
 
 #include "World.h"
@@ -34,11 +34,9 @@ Channel channels[Count];
 // A Teensy 4 has one interrupt for all channels, with the highest priority of them (IntervalTimer.cpp:61).
 unsigned priorityOf(const Channel &channel) {
   unsigned top = channel.priority;
-#if defined(__IMXRT1062__)
   for (const Channel &each : channels) {
     top = each.function != nullptr && each.priority < top ? each.priority : top;
   }
-#endif
   return top;
 }
 

@@ -66,16 +66,13 @@ TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") 
     eSBus.setPeriod(row.periodUs);
     Sending sending;
     sending.loop(eSBus, row.loopUs);
-    if (!Core.takes8E2) {
-      CHECK(world.sent.empty());
-      continue;
-    }
-    checkSent(sending.frames, Hears ? row.gapUs : 0);
+    checkSent(sending.frames, row.gapUs);
     CHECK(sending.frames * (row.periodUs + sbus::ClockStep) >= row.least * row.periodUs);
     CHECK(sending.frames <= row.most);
     CHECK(sending.waitedUs <= (row.periodUs >= 4000 ? Core.waitsUs : Core.counts ? 0 : 3100));
     const sim::Settings &settings = world.sent[0].settings;
-    CHECK(settings.baud == Core.baud);
+    CHECK(settings.baud >= 100000);
+    CHECK(settings.baud < 101000);  // a Due
     CHECK(settings.evenStops == Core.stops);
     CHECK(settings.txInverted == Core.inverts);
     CHECK(world.crashes == 0);
@@ -83,9 +80,6 @@ TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") 
 }
 
 TEST_CASE("end() lets the frame go out that write() has taken") {
-  if (!Core.takes8E2) {
-    return;
-  }
   switchOn();
   EncodeSBus eSBus(SBUS_PORT);
   eSBus.begin();
@@ -113,7 +107,7 @@ TEST_CASE("what EncodeSBus sends comes back to a DecodeSBus on the same port") {
     world.looped = true;
     DecodeSBus dSBus(SBUS_PORT);
     EncodeSBus eSBus(SBUS_PORT);
-    open(dSBus);
+    dSBus.begin();
     Sending sending;
     sending.loop(eSBus, loopUs, &dSBus);
     CHECK(sending.frames >= 110);

@@ -66,8 +66,7 @@ class Uart {
     _keeps = characters;
     _overflowUs = overflowUs;
   }
-  unsigned keeps() const { return _keeps; }  // 0: nothing is known
-  void turnOff(uint64_t us);                 // interrupts, for this time
+  void turnOff(uint64_t us);  // interrupts, for this time
   void lookIntoFifo() { _seesFifo = true; }  // available() counts what waits for a burst, and read() takes it
   bool isHalfDuplex() const { return _isHalfDuplex; }
   unsigned behind() const { return _drops == Fifo ? FifoSize + _burst : 0; }  // bytes that wait behind a full buffer
@@ -117,13 +116,10 @@ void inPort();       // takes as long as a method of the port, where a core lock
 
 // What the tests expect of a core.
 struct Known {
-  bool inverts;            // its ports can invert
-  bool callsSerialEvent1;  // after each loop()
-  unsigned long baud;      // what 100000 becomes
-  unsigned stops;          // stop bits that it sends
-  unsigned waitsUs;        // EncodeSBus::write(), every 9 ms
-  bool counts;             // it says how much it takes: then write() never waits
-  bool takes8E2;           // false: an assertion fails
+  bool inverts;      // its ports can invert
+  unsigned stops;    // stop bits that it sends
+  unsigned waitsUs;  // EncodeSBus::write(), every 9 ms
+  bool counts;       // it says how much it takes: then write() never waits
 };
 
 }  // namespace sim

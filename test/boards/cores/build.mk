@@ -23,22 +23,16 @@ ROOT := $(abspath $(HERE)/../../..)
 HOST := $(ROOT)/extras/host
 
 # The stand-in, its variant, and the core's C++ (platform.txt).
-CORES := avr dxcore esp32-1.0 esp32-2.0 esp32-3.0 esp32-3.3 esp8266 mbed megaavr nano33 nrf52 pico sam samd samd51 stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
+CORES := avr esp32-1.0 esp32-3.0 esp8266 megaavr nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
 avr := Avr gnu++11
-dxcore := MegaAvr gnu++17 -DDXCORE
 esp32-1.0 := Esp32 gnu++11 -DESP32_CORE=1
-esp32-2.0 := Esp32 gnu++11 -DESP32_CORE=2
 esp32-3.0 := Esp32 gnu++2b -DESP32_CORE=3
-esp32-3.3 := Esp32 gnu++2b -DESP32_CORE=338
 esp8266 := Esp8266 gnu++17
-mbed := Mbed gnu++14
 megaavr := MegaAvr gnu++11
-nano33 := Mbed gnu++14 -DNANO33
 nrf52 := Nrf52 gnu++11
 pico := Pico gnu++2b
 sam := Sam gnu++11
 samd := Samd gnu++11
-samd51 := Samd gnu++11 -DSAMD51
 stm32 := Stm32 gnu++17
 stm32f4 := Stm32 gnu++17 -DSTM32F4
 stm32l0 := Stm32L0 gnu++11
@@ -47,21 +41,22 @@ teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
 # Further boards: what is compiled there differs by SBusUart.h alone, which a few examples show.
-BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb stm32l0-0.0 uno xiao-esp32
-attiny := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE -DONE_PORT
-attiny2 := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE
-ch32v := Nrf52 gnu++17 -DARDUINO_ARCH_CH32V
+BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 nano33 stm32-nucleo stm32-no-usb stm32l0-0.0 uno xiao-esp32
+attiny := MegaAvr gnu++17 -DMEGATINYCORE -DONE_PORT
+attiny2 := MegaAvr gnu++17 -DMEGATINYCORE
+ch32v := UnoR4 gnu++17 -DARDUINO_ARCH_CH32V
 esp32-c3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1
 esp32-c6 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C6=1
 esp32-h2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32H2=1
 esp32-p4 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32P4=1
 esp32-pico := Esp32 gnu++2b -DESP32_CORE=3 -DARDUINO_ESP32_PICO
-esp32-psram := Esp32 gnu++11 -DESP32_CORE=2 -DBOARD_HAS_PSRAM
+esp32-psram := Esp32 gnu++2b -DESP32_CORE=3 -DBOARD_HAS_PSRAM
 esp32-s2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S2=1
 esp32-s3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1
-feather-m4 := Samd gnu++11 -DSAMD51 -DADAFRUIT_FEATHER_M4_EXPRESS
+feather-m4 := Samd gnu++11 -DADAFRUIT_FEATHER_M4_EXPRESS
 leonardo := Avr gnu++11 -D__AVR_ATmega32U4__
 nano-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1 -DARDUINO_NANO_ESP32
+nano33 := UnoR4 gnu++14 -DARDUINO_ARDUINO_NANO33BLE
 stm32-nucleo := Stm32 gnu++17 -DNUCLEO
 stm32-no-usb := Stm32 gnu++17 -DNO_USB
 stm32l0-0.0 := Stm32L0 gnu++11 -DSTM32L0_CORE_0_0
@@ -89,35 +84,29 @@ nano-esp32_page := Nano ESP32
 uno_page := Uno R3
 xiao-esp32_page := XIAO ESP32
 
-# Those with esp_timer.
-TASKS := esp32-2.0 esp32-3.0 esp32-3.3
-# Those that poll each millisecond, but for an AVR's, which boards/avr runs.
-TICKERS := pico $(TASKS) samd samd51 teensy32 teensy4
-ticks = $(if $(filter pico,$1),PicoAlarms,$(if $(filter $(TASKS),$1),Esp32Task,Ticks))
-# Those with a USB joystick, and what their cores define where the board or the user's choice has it.
-JOYSTICKS := avr esp32-3.0 pico samd teensy32 teensy4
+# One of each timer that polls each millisecond; boards/avr runs an AVR's.
+TICKERS := pico esp32-3.0 samd teensy4
+ticks = $(or $(filter PicoAlarms,$(1:pico=PicoAlarms)),$(filter Esp32Task,$(1:esp32-3.0=Esp32Task)),Ticks)
+# One of each USB joystick, and what its core defines where the board or the user's choice has it.
+JOYSTICKS := avr esp32-3.0 pico teensy4
 avr_usb := -DUSBCON
 esp32-3.0_usb := -DCONFIG_TINYUSB_HID_ENABLED=1
-samd_usb := -DUSBCON
-teensy32_usb := -DJOYSTICK_INTERFACE=3
 teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-FEW := DecodeSBus Led PwmIn Servos
-# To them a SAMD51 is as a SAMD21, an STM32F4 as an STM32, and core 3.3 of the ESP32 as 3.0.
-compiled = $(foreach name,$(if $(filter samd51 stm32f4 esp32-3.3,$1),,$(if $(filter $(BOARDS),$1),$(FEW),$(EXAMPLES))),$(name).$(if \
-  $(call reason,$1,$(name)),rejected,ok))
-ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
-  $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
-  $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest $(OUT)/$(core)/ReceiveOnlyTest) \
-  $(if $(filter $(TICKERS),$(core)),$(OUT)/$(core)/BackgroundTest) \
-  $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PreemptBackgroundTest) \
-  $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
-  $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) \
-  $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected) \
-  $(if $(filter stm32l0,$(core)),,$(OUT)/$(core)/NoBackground.rejected)) \
+# All of them where ports and headers differ most. On a board that has no port to print, those that tell; SBusUart.ok says
+# what else a board needs.
+WHOLE := esp32-3.0 sam stm32l0 teensy4
+examples = $(if $(filter $(WHOLE),$1),$(EXAMPLES),$(if $(call reason,$1,DecodeSBus),DecodeSBus Led Servos,$(if $(filter $(CORES),$1),DecodeSBus) \
+  $(if $(filter leonardo,$1),PwmIn)))
+compiled = $(foreach name,$(call examples,$1),$(name).$(if $(call reason,$1,$(name)),rejected,ok))
+ALL := $(CORES:%=$(OUT)/%/CoresTest) $(addprefix $(OUT)/,pico/SensorTest esp32-3.0/SensorTest teensy4/PolledSensorTest \
+  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/SlotTimer.ok $(TICKERS:%=%/BackgroundTest) \
+  teensy4/PreemptBackgroundTest esp32-3.0/TasksTest pico/PpmOutTest samd/PpmOutTest $(JOYSTICKS:%=%/JoystickTest) \
+  stm32/SingleWire.rejected teensy4/SingleWire.rejected uno/NoServo.rejected \
+  stm32/NoBackground.rejected pico/NoBackground.rejected teensy4/NoBackground.rejected) \
   $(foreach board,$(CORES) $(BOARDS),$(patsubst %,$(OUT)/$(board)/%,$(call compiled,$(board)) \
-  $(if $(call reason,$(board),Led),,SBusUart.ok))) $(OUT)/uno/NoServo.rejected $(OUT)/stm32l0-0.0/DmaSenderTest $(OUT)/stm32l0/SlotTimer.ok
+  $(if $(filter $(BOARDS) avr esp%,$(board)),$(if $(call reason,$(board),Led),,SBusUart.ok))))
 
 all: $(ALL)
 list:

@@ -1,4 +1,4 @@
-// github.com/arduino/ArduinoCore-API cd91833: api/HardwareSerial.h, Print.h, Stream.h. Of arduino-pico, mbed, Uno R4, SAMD.
+// github.com/arduino/ArduinoCore-API cd91833: api/HardwareSerial.h, Print.h, Stream.h. Of arduino-pico, megaAVR, Uno R4, SAMD.
 #pragma once
 
 #define ARDUINO_API

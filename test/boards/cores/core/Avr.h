@@ -13,9 +13,7 @@
 
 class HardwareSerial : public Simulated<Stream> {
  public:
-  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false, sim::Parity}) {
-    uart.keep(3, 1024);  // two, and one in the shift register; timer 0 overflows (wiring.c:94)
-  }
+  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false, sim::Parity}) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config) {
     uart.change({baud, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), false, false});
@@ -32,4 +30,4 @@ extern HardwareSerial Serial;
 extern HardwareSerial Serial1, Serial2;
 #endif
 
-constexpr sim::Known Core = {false, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {false, 2, 0, true};

@@ -1,9 +1,7 @@
 // github.com/espressif/arduino-esp32: cores/esp32/HardwareSerial.h and .cpp, esp32-hal-uart.c. ESP32_CORE is
-//    1  1.0.6 (3691149)
-//    2  2.0.14 (as TotemArduinoBoards 2.0.14-totem.2 has it); its interface is that of 2.0.3 on
-//    3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same
-//    way
-//  338  3.3.8, after issue 12527 and pull request 12569; its source was not read
+//   1  1.0.6 (3691149)
+//   3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same
+//   way
 // Characters with errors are kept: core 1 asks for no error (esp32-hal-uart.c, _uart_isr()), IDF only reports them
 // (v5.1.4, driver/uart/uart.c:995). Before 2.0.6 120 characters at once were 112.
 #pragma once
@@ -14,9 +12,9 @@
 #define ARDUINO_ARCH_ESP32
 #define EEPROM_EMULATED
 #if ESP32_CORE != 1
-#define ESP_ARDUINO_VERSION_MAJOR (ESP32_CORE == 2 ? 2 : 3)
+#define ESP_ARDUINO_VERSION_MAJOR 3
 #endif
-#if ESP32_CORE < 3
+#if ESP32_CORE == 1
 #define SERIAL_8N1 0x800001c
 #define SERIAL_8E1 0x800001e
 #define SERIAL_8E2 0x800003e
@@ -24,11 +22,6 @@
 enum SerialConfig { SERIAL_8N1 = 0x800001c, SERIAL_8E1 = 0x800001e, SERIAL_8E2 = 0x800003e };
 #endif
 #define PINS_GIVEN 16, 17
-#if defined(ARDUINO_NANO_ESP32)
-static const uint8_t D0 = 44, D1 = 43, D2 = 5, D3 = 6, D4 = 7, D5 = 8;
-#elif defined(ARDUINO_XIAO_ESP32C3)
-static const uint8_t D1 = 3, D2 = 4, D3 = 5, D4 = 6, D6 = 21, D7 = 20;
-#endif
 #if !defined(CONFIG_IDF_TARGET_ESP32C3) && !defined(CONFIG_IDF_TARGET_ESP32C6) && !defined(CONFIG_IDF_TARGET_ESP32H2) && \
     !defined(CONFIG_IDF_TARGET_ESP32P4) && !defined(CONFIG_IDF_TARGET_ESP32S2) && !defined(CONFIG_IDF_TARGET_ESP32S3)
 #define CONFIG_IDF_TARGET_ESP32 1
@@ -42,34 +35,30 @@ class HardwareSerial : public Simulated<Stream> {
   void begin(unsigned long baud, uint32_t config = SERIAL_8N1, int8_t rx = -1, int8_t tx = -1, bool invert = false,
              unsigned long = 20000, uint8_t = 120) {
     const sim::Settings settings = {baud, sim::evenStops<uint32_t>(config, SERIAL_8E1, SERIAL_8E2), invert, invert};
-    // Core 1: HardwareSerial.cpp:59. Core 2 knows its driver by that pointer, and end(false) leaves the pins (386).
+    // Core 1: HardwareSerial.cpp:59.
     const bool installed = uart.isOpen() && ESP32_CORE != 1;
     if (!installed && rx < 0 && tx < 0) {  // :296
       rx = _rx < 0 || ESP32_CORE == 1 ? RX1 : _rx;
     }
-    if (installed && ESP32_CORE >= 3 && invert == uart.settings().rxInverted) {  // :424
+    if (installed && invert == uart.settings().rxInverted) {  // :424
       uart.change(settings);
       if (rx > 0 && rx != _rx) {
         attach(rx);
       }
       return;
     }
-    if (installed && ESP32_CORE == 3) {
+    if (installed) {
       attach(-1);  // uartEnd(), :425 and :116
     }
     uart.open(settings);
     uart.setBurst(Burst);
-    if (rx >= 0 && (rx != _rx || ESP32_CORE < 3)) {  // uartSetPins(), :325 and :552
+    if (rx >= 0 && (rx != _rx || ESP32_CORE == 1)) {  // uartSetPins(), :325 and :552
       attach(rx);
     }
   }
 
-#if ESP32_CORE == 2
-  void end(bool = true) {
-#else
   void end() {  // :400
-#endif
-    ESP32_CORE >= 3 ? uart.cut() : uart.close();  // uartEnd() detaches the pins at once
+    ESP32_CORE == 3 ? uart.cut() : uart.close();  // uartEnd() detaches the pins at once
     attach(-1);
   }
 
@@ -101,9 +90,7 @@ class HardwareSerial : public Simulated<Stream> {
   }
   bool setPins(int8_t rx, int8_t, int8_t = -1, int8_t = -1) {
     _rx = rx;
-    if (ESP32_CORE != 338 || uart.isOpen()) {
-      attach(rx);
-    }
+    attach(rx);
     return true;
   }
 #endif
@@ -135,7 +122,7 @@ inline uint8_t HardwareSerial::number() const {
   return this == &Serial1 ? 1 : 2;
 }
 
-constexpr sim::Known Core = {true, ESP32_CORE != 1, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, 2, 0, true};
 
 #define OPENED_BY_HAND
 inline void openByHand() {

@@ -52,4 +52,4 @@ class HardwareSerial : public Simulated<Stream> {
 extern HardwareSerial Serial, Serial1;
 #define Serial2 Serial1  // it has no third one
 
-constexpr sim::Known Core = {true, false, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, 2, 0, true};

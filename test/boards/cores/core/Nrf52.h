@@ -6,9 +6,7 @@
 
 #include "../Stream.h"
 
-#if !defined(ARDUINO_ARCH_CH32V)  // it serves the examples, which do not run there
 #define ARDUINO_ARCH_NRF52
-#endif
 #define NRF52_SERIES
 #define NO_EEPROM
 #define CLOCK_HZ 1024  // micros() is the tick of FreeRTOS (delay.h:60, FreeRTOSConfig.h)
@@ -74,7 +72,7 @@ struct NRF_UARTE_Type {
 };
 #define NRF_UARTE0 (&NRF_UARTE_Type::registers())
 
-constexpr sim::Known Core = {false, false, 100006, 2, 0, true, true};
+constexpr sim::Known Core = {false, 2, 0, true};
 
 #define OPENED_BY_HAND
 inline void openByHand() {

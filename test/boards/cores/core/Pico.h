@@ -63,4 +63,4 @@ class SerialUART : public Simulated<HardwareSerial> {
 };
 extern SerialUART Serial1, Serial2;
 
-constexpr sim::Known Core = {true, true, 100000, 2, 0, false, true};
+constexpr sim::Known Core = {true, 2, 0, false};

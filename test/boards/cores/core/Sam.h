@@ -43,4 +43,4 @@ class USARTClass : public UARTClass {
 };
 extern USARTClass Serial1, Serial2;
 
-constexpr sim::Known Core = {false, true, 100961, 2, 0, false, true};
+constexpr sim::Known Core = {false, 2, 0, false};

@@ -53,7 +53,7 @@ extern HardwareSerial Serial1, Serial2;
 #endif
 
 #if defined(STM32F4)
-constexpr sim::Known Core = {false, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {false, 2, 0, true};
 #else
-constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, 2, 0, true};
 #endif

@@ -54,4 +54,4 @@ inline void Uart::begin(unsigned long baud, uint32_t config) {
   uart.open({baud, sim::evenStops(config & ~(Rx | Tx), E1, E2), (config & Rx) != 0, (config & Tx) != 0});
 }
 
-constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, 2, 0, true};

@@ -23,4 +23,4 @@ class HardwareSerial : public Simulated<Stream> {
 };
 extern HardwareSerial Serial1, Serial2;
 
-constexpr sim::Known Core = {true, true, 100000, 1, 0, true, true};
+constexpr sim::Known Core = {true, 1, 0, true};

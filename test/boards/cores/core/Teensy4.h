@@ -54,4 +54,4 @@ uint32_t cycleCount();
 #define F_CPU_ACTUAL 600000000u
 #define ARM_DWT_CYCCNT cycleCount()
 
-constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, 2, 0, true};

@@ -24,4 +24,4 @@ extern UART _UART1_, _UART2_;
 #define Serial1 _UART1_
 #define Serial2 _UART2_
 
-constexpr sim::Known Core = {false, false, 100000, 2, 3000, false, true};
+constexpr sim::Known Core = {false, 2, 3000, false};
