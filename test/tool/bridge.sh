@@ -136,7 +136,7 @@ while IFS='|' read -r arguments wanted; do
   # shellcheck disable=SC2086  # the arguments are words
   got=$(cd "$work" && bridge $arguments | tee "$work/out" | rows | cut -d' ' -f1,19,20 | uniq -c |
     awk '{ printf "%s:%s,%s,%s ", $1, $2, $3, $4 }'; grep -c '"type":"end"' "$work/out")
-  [ "$got" = "$wanted" ] && tail -n 1 "$work/err" | grep -q '^sbus bridge: half.json: ends within an object' || { echo "$got"; cat "$work/err"; false; }
+  [ "$got" = "$wanted" ] && tail -n 1 "$work/err" | grep -q '^sbus bridge: half.json:61: .* is not a JSON object' || { echo "$got"; cat "$work/err"; false; }
   verdict $? "bridge $arguments: $wanted line of type end, and the error at last"
 done <<'END'
 teacher.json - --second half.json --trainer ch8|40:1,0,0 31:7,0,0 9:1,0,0 20:1,0,1 1

@@ -55,7 +55,7 @@ diff "$work/wanted" "$work/json"
 verdict $? "summary --json of a flight has the same figures"
 "$SBUS" hex --json "$work/flight.txt" | head -n 51 | head -c -10 >"$work/cut.json"
 "$SBUS" summary "$work/cut.json" >"$work/text" 2>"$work/err"
-[ $? -eq 1 ] && grep -q ': S.BUS, 49 frames, 3 with the lost-frame flag' "$work/text" && grep -q 'ends within an object' "$work/err" &&
+[ $? -eq 1 ] && grep -q ': S.BUS, 49 frames, 3 with the lost-frame flag' "$work/text" && grep -q ' is not a JSON object' "$work/err" &&
   ! "$SBUS" summary "$work/cut.json" -o "$work/cut.html" 2>"$work/err" && [ -s "$work/cut.html" ]
 verdict $? "summary of truncated JSON lines has the frames up to there, and fails"
 sed 's/^[0-9]* /9&/' "$work/flight.txt" >"$work/late.txt"
