@@ -6,8 +6,8 @@ TEST_CASE("a framing error in byte 2 and a parity error in byte 3 are told apart
   const Bytes bytes = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};
   TestWire wire;
   for (size_t i = 0; i < bytes.size(); i++) {
-    const bool parity = line::isOdd(bytes[i]) != (i == 3);
-    wire.character(bytes[i] | parity << 8 | (i == 2 ? 2u : 3u) << 9);
+    const unsigned parity = line::isOdd(bytes[i]) != (i == 3), stops = i == 2 ? 2 : 3;
+    wire.character(bytes[i] | parity << 8 | stops << 9);
   }
   wire.gap(1e6);
   const Decoded decoded(textOf(wire, TestFormat::Vcd), "RX");
