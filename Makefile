@@ -76,7 +76,7 @@ TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev nlohman
 # What TOOL's static libraries need.
 STATIC := nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev
 AVR := gcc-avr avr-libc arduino-core-avr
-TEST := g++ doctest-dev libcli11-dev libserialport-dev libarchive-dev nlohmann-json3-dev
+TEST := g++ python3 doctest-dev libcli11-dev libserialport-dev libarchive-dev nlohmann-json3-dev
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
 # The headers of the C++ library alone, 17 MB; the library has 1.5 GB.
