@@ -46,6 +46,10 @@ export default async function () {
     await page.click('#cursors');
     await page.waitForSelector('#cursor-values', { state: 'hidden' });
     assert.equal(await page.locator('.cursor:visible').count(), 0);
+    await page.click('#cursors');
+    await page.waitForSelector('#cursor-values');
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('#cursor-values', { state: 'hidden' });
   });
 
   await check('keys move cursors from frame to frame and to the edges, and the curves follow; Escape clears them', async (page) => {
@@ -53,7 +57,7 @@ export default async function () {
     for (let i = 0; i < 4; i++) await page.click('#zoom-in');
     await reads(page, '#window', '0.5 s');
     await page.focus('#plot');
-    await page.keyboard.press('c');
+    await page.keyboard.press('C');
     assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Cursor A');
     await page.keyboard.press('End');
     await page.keyboard.press('Tab');

@@ -58,4 +58,15 @@ export default async function () {
     await shows(page);
     await reads(page, '#verdict-text', 'All well.');
   });
+
+  for (const button of ['#source-adapter', '#known button']) {
+    await check(`a port that fails to open, by ${button}, leaves the running source and says why`, async (page) => {
+      await page.evaluate(() => Object.assign(fake.newPort(), { permitted: true, gone: true }).plug());
+      await reads(page, '#state', 'Fine');
+      await page.evaluate(() => (WebAssembly.instantiate = () => Promise.reject(new Error('out of memory'))));
+      await page.click(button);
+      await reads(page, '#notice', /The port cannot be read: out of memory\. Reload the page, and choose the port again\./);
+      await reads(page, '#state', 'Fine');
+    });
+  }
 }

@@ -1,7 +1,7 @@
 // Sizes, themes, keyboard and screen readers.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { axe, check, connect, playToEnd, reads, root, until } from './support.mjs';
+import { axe, check, connect, frame, play, playToEnd, reads, recorded, root, until } from './support.mjs';
 
 const sizes = {
   desktop: { width: 1440, height: 900 },
@@ -54,6 +54,11 @@ export default async function () {
       await clean(page);
     }, { size, deviceScaleFactor: scale });
   }
+
+  await check('on a phone a long file name fits', async (page) => {
+    await play(page, `${'long'.repeat(30)}.txt`, recorded(9000, frame([1000])));
+    await fits(page);
+  }, { size: sizes.phone });
 
   for (const colorScheme of ['light', 'dark']) {
     await check(`stale, noise and failsafe, ${colorScheme}: axe-core finds nothing`, async (page) => {

@@ -60,6 +60,21 @@ export default async function () {
     await until('raw numbers are not scaled', () => shown(page, '#calibrate'));
   });
 
+  await check('on a phone the tiles of a board without flags have all the width', async (page) => {
+    await printing(page, '12.5,80,-3\r\n');
+    await connect(page, 'board');
+    await until('flags are shown', async () => !(await shown(page, '.indicators')));
+    const [link, last] = [await boxOf(page, '#link'), await boxOf(page, '#link > :last-child')];
+    assert.ok(link.right - last.right < 1, `they end at ${last.right} px, their row at ${link.right}`);
+  }, phone);
+
+  await check('both sticks have one size, whatever their words', async (page) => {
+    await opensWith(page, [1, 2, 3].map(() => frame([992, 172, 992, 992]))); // elevator -100 %
+    await connect(page);
+    await reads(page, '#sticks', /elevator -100 %/);
+    assert.equal((await boxOf(page, '.stick')).width, (await boxOf(page, 'figure:last-child .stick')).width);
+  });
+
   await check('a board that prints flags shows these, and sticks once its unit is known', async (page) => {
     await printing(page, '992,992,992,992,0,1\r\n');
     await connect(page, 'board');
@@ -80,6 +95,7 @@ export default async function () {
     assert.match(text, /S-BUS_OUT.*RXD/);
     assert.doesNotMatch(text, /GP1/);
     for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.losses']) assert.equal(await shown(page, selector), false, selector);
+    assert.equal((await boxOf(page, '.counters')).left, (await boxOf(page, '#guide')).left);
     await page.evaluate((bytes) => fake.every(9, bytes), frame([1000]));
     await reads(page, '#state', 'Fine');
     for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.losses']) await until(`${selector} is not there`, () => shown(page, selector));

@@ -116,6 +116,24 @@ export default async function () {
     }
   }, { patience: 120000 });
 
+  await check('a recording that the trigger has stopped is played on by Continue, and by Arm', async (page) => {
+    await playPaused(page, 'trigger.txt', story());
+    await zoomIn(page);
+    await seek(page, 0);
+    await set(page, 'ch1 > 600');
+    await page.click('#trigger-next');
+    await reads(page, '#trigger-text', at(endUs(101)));
+    await reads(page, '#play', 'Play');
+    await page.click('#pause');
+    await reads(page, '#play', 'Pause');
+    await set(page, 'lostframe && !failsafe');
+    await page.click('#trigger-arm');
+    await reads(page, '#trigger-text', at(endUs(200)));
+    await reads(page, '#play', 'Play');
+    await page.click('#trigger-arm');
+    await reads(page, '#play', 'Pause');
+  });
+
   await check('a board\'s numbers are compared as printed', async (page) => {
     await playPaused(page, 'trigger-rows.csv', `time,throttle,roll\n${Array.from({ length: 100 }, (_, i) => `${(i / 10).toFixed(3)},${i - 50}.5,7\n`).join('')}`);
     await seek(page, 1000);

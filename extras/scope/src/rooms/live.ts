@@ -59,9 +59,13 @@ export function liveRoom(core: Core, choice: Choice<Source>, notice: NoticeView)
     const { current } = choice;
     if (current instanceof PortSource && current.isUnplugged && current.isBoard === (kind === 'board') && current.has(port)) {
       await current.replug(port);
-    } else {
+      return;
+    }
+    try {
       await choice.change((signal) => PortSource.open(core, port, kind, Number(baud.value), signal));
       known.remember(port, kind);
+    } catch (error) {
+      notice.show({ text: `The port cannot be read: ${(error as Error).message}.`, remedy: 'Reload the page, and choose the port again.' });
     }
   }
 

@@ -37,8 +37,8 @@ export class Cursors {
     return this.times.map((time) => this.history.nearest(time));
   }
 
-  // Switches them on or off. `byKey`: the first one gets the focus.
-  toggle(byKey = false): void {
+  // Switches them on, and gives the first one the focus, or off.
+  toggle(): void {
     if (this.on) {
       this.clear();
       return;
@@ -47,9 +47,7 @@ export class Cursors {
     this.times = begun.map((part) => this.snapped(from + part * (this.view.edge - from)));
     this.tell();
     this.draw();
-    if (byKey) {
-      this.handles[0].focus();
-    }
+    this.handles[0].focus();
   }
 
   clear(): void {

@@ -219,8 +219,8 @@ export class Curves {
   private key(event: KeyboardEvent): void {
     if (event.key === ' ') {
       this.pause(!this.paused);
-    } else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) {
-      this.cursors.toggle(true);
+    } else if (event.key.toLowerCase() === 'c' && !event.ctrlKey && !event.metaKey) {
+      this.cursors.toggle();
     } else if (event.key === 'Escape' && this.cursors.on) {
       this.cursors.clear();
     } else {

@@ -125,8 +125,12 @@ export class TriggerView {
     this.say(`Event at ${secondsText(this.eventUs as number)}.`);
   }
 
-  // The curves go on, and so do the bytes.
+  // The curves go on, and so do the bytes, and a recording that still stands where the trigger has stopped it.
   private release(): void {
+    const { source } = this;
+    if (this.eventUs !== undefined && source instanceof RecordingSource && source.positionUs === this.atUs) {
+      source.playing = true;
+    }
     this.eventUs = undefined;
     this.frames.stopAt();
     this.curves.mark();
