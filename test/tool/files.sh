@@ -137,6 +137,7 @@ rejected() {
 want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"and\"$want"
+printf 'CoolTerm Capture (a.txt) 2021-05-11 18:12:30\n%s\n%s\n' "$frame" "$frame" | rejected coolterm.txt ":1: \"CoolTerm\"$want"
 printf '00001111 11100011\n' | rejected bits.txt ':1: "11100011" is not a byte: one or two hexadecimal digits are expected'
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
 printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
