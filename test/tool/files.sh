@@ -142,6 +142,8 @@ printf '00001111 11100011\n' | rejected bits.txt ':1: "11100011" is not a byte: 
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
 printf '\376\377\0000\000F' | rejected utf16.txt ': is text in UTF-16 with the mark FE FF: save it as UTF-8'
 printf '0Fh E3h\n' | rejected suffix.txt ':1: "0Fh" is not a time: a whole number of microseconds is expected, or a # comment; without times, bytes such as 0F E3'
+printf '[\n  {\n    "type": "frame",\n    "channels": [\n      997,\n' |
+  rejected array.json ':1: "[" is not a JSON object; JSON lines as sbus hex --json writes them are expected'
 printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
 printf 'BZh91AY&SY\001\002\003' | rejected flight.bz2 ': is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'
 printf '' | rejected empty.bin ': is empty: at least one line "microseconds byte byte ..." is expected'

@@ -77,6 +77,10 @@ FileKind kindOfText(std::string_view text) {
   if (!inside.empty() && (inside.front() == '"' || inside.front() == '}')) {
     return FileKind::Json;
   }
+  if (begin.substr(0, 1) == "[" && withoutBlanks(begin.substr(1)).substr(0, 1) == "{" &&
+      withoutBlanks(withoutBlanks(begin.substr(1)).substr(1)).substr(0, 6) == "\"type\"") {
+    return FileKind::Json;  // jq -s makes one array of the lines, which is rejected
+  }
   if (frameTable(text) == FrameTable::Yes) {
     return FileKind::Table;
   }
