@@ -80,6 +80,10 @@ WAYS = {
     "Python hexlify": lines(lambda data, i: repr(data.hex().encode())),
     "Python list over lines": "data = [\n" + rows(ALL, 12, lambda at, row: "    " + COMMAS(row) + ",") + "]\n",
     "numpy": "[" + rows(ALL, 18, lambda at, row: " " + " ".join("%3d" % byte for byte in row))[1:-1] + "]\n",
+    "numpy's repr": lines(lambda data, i: f"array([{DECIMAL(data)}], dtype=uint8)"),
+    "Java, cast": lines(numbers("(byte)0x%02X", ", ")),
+    "0x once": lines(lambda data, i: "0x" + data.hex()),
+    "a comment's year": "/* S.BUS\n * captured 2021 */\n" + lines(COMMAS),
     "array": lines(lambda data, i: f"array('B', {list(data)})"),
     "C array": lines(lambda data, i: f"uint8_t frame{i}[25] = {{{COMMAS(data)}}};"),
     "C array over lines": "const unsigned char frames[] = {\n" + rows(ALL, 12, lambda at, row: "  " + COMMAS(row) + ",") + "};\n",
@@ -112,6 +116,9 @@ WAYS = {
     "date and time": lines(lambda data, i: f"2021-05-11 18:12:30,{i}45 {UPPER(data)}"),
     "date and time of ISO 8601": lines(lambda data, i: f"2021-05-11T18:12:30.{i}45Z {UPPER(data)}"),
     "date, time and direction (Docklight)": lines(lambda data, i: f"11.05.2021 18:12:30.{i}45 [RX] - {UPPER(data)}"),
+    "date and time with us": rows(ALL, 7, lambda at, row: f"2021-05-11 18:12:30.{at:06d} {UPPER(row)}"),
+    "ms and a comma": lines(lambda data, i: f"{123456 + 9 * i},{UPPER(data)}"),
+    "a frame in parts": lines(lambda data, i: f"{UPPER(data[:1])} | {UPPER(data[1:23])} | {UPPER(data[23:])}"),
     "seconds": lines(lambda data, i: f"12.34{i} {UPPER(data)}"),
     "kernel's seconds": lines(lambda data, i: f"[   12.34{i}567] {UPPER(data)}"),
     "ms and a colon": lines(lambda data, i: f"{1000 + 9 * i}: {UPPER(data)}"),
@@ -123,6 +130,7 @@ WAYS = {
     "Zephyr, hexdump": "[00:00:01.234,567] <inf> sbus: data\n" + rows(ALL, 16, lambda at, row: " " * 31 + f"{LOWER(row[:8])}  {LOWER(row[8:]):<23} |{ascii(row[:8])} {ascii(row[8:])}|"),
     "numbered": lines(lambda data, i: f"{i + 1}) {UPPER(data)}"),
     "Wireshark": rows(ALL, 16, lambda at, row: f"{at:04x}  {LOWER(row[:8])}  {LOWER(row[8:])}   {ascii(row)}"),
+    "HxD": "Offset(h) 00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F\n\n" + rows(ALL, 16, lambda at, row: f"{at:08X}  {UPPER(row):<47}  {ascii(row)}"),
     "offsets of four digits": rows(ALL, 16, lambda at, row: f"{at:04x}: {LOWER(row)}"),
     "offsets of four digits from 1000 on": rows(ALL, 16, lambda at, row: f"{0x1000 + at:04x}: {LOWER(row)}"),
     "gdb": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x}:\t" + "\t".join("0x%02x" % byte for byte in row)),
@@ -133,6 +141,17 @@ WAYS = {
     "frames that end in 08, without their tail": lines(lambda data, i: UPPER(data[:-1] + b"\x08")),
     "frames and zeros in decimal": lines(lambda data, i: DECIMAL(data + bytes(7))),
     "0x and tabs": lines(numbers("0x%02X", "\t")),
+}
+
+# Frames that look like what they are not: sticks in the middle, values of 0, and two lines like offsets.
+CENTRED = [bytes.fromhex("0FE5031FF8C0073EF0810F7CE00306F880913DF0810F7C0000")] * 4
+ZEROS = [bytes.fromhex("0F" + "00" * 24)] * 4
+GROWING = [bytes([each[0], 0x10 + 23 * (i == 1), *each[2:]]) for i, each in enumerate(FRAMES * 2)]
+OTHERS = {
+    "UltraEdit": (rows(b"".join(CENTRED), 16, lambda at, row: f"{at:08X}h: {UPPER(row):<47} ; {ascii(row)}"), CENTRED),
+    "a dump with blank lines": (rows(b"".join(CENTRED), 16, lambda at, row: f"{at:08x}: {LOWER(row):<47}  {ascii(row)}\n"), CENTRED),
+    "groups of four bytes": (lines(lambda data, i: data.hex(" ", -4), ZEROS), ZEROS),
+    "lines that look like offsets once": (lines(lambda data, i: data.hex(" ", -2), GROWING), GROWING),
 }
 
 # What tools print, by the tools. {} is the file.
@@ -155,7 +174,7 @@ def channels(raw):
 
 
 def main():
-    ways = dict(WAYS)
+    ways = dict(WAYS) | {name: text for name, (text, _) in OTHERS.items()}
     for name, data in ("frames", ALL), ("a frame thrice", FRAMES[0] * 13), ("frame.bin", FRAMES[0]):
         with open(f"{WORK}/a.bin", "wb") as file:
             file.write(data)
@@ -168,7 +187,7 @@ def main():
     for name, text in ways.items():
         if ONLY not in name:
             continue
-        wanted = [channels(each) for each in FRAMES]
+        wanted = [channels(each) for each in OTHERS.get(name, ("", FRAMES))[1]]
         wanted = wanted[:1] * 13 if "thrice" in name else wanted[:1] if "frame.bin" in name else wanted
         got, err = frames_of(text, ["hex"])
         tried += 1

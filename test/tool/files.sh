@@ -137,8 +137,13 @@ rejected() {
 want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"and\"$want"
+printf 'CoolTerm Capture (a.txt) 2021-05-11 18:12:30\n%s\n%s\n' "$frame" "$frame" | rejected coolterm.txt ":1: \"CoolTerm\"$want"
 printf '00001111 11100011\n' | rejected bits.txt ':1: "11100011" is not a byte: one or two hexadecimal digits are expected'
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
+printf '\376\377\0000\000F' | rejected utf16.txt ': is text in UTF-16 with the mark FE FF: save it as UTF-8'
+printf '0Fh E3h\n' | rejected suffix.txt ':1: "0Fh" is not a time: a whole number of microseconds is expected, or a # comment; without times, bytes such as 0F E3'
+printf '[\n  {\n    "type": "frame",\n    "channels": [\n      997,\n' |
+  rejected array.json ':1: "[" is not a JSON object; JSON lines as sbus hex --json writes them are expected'
 printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
 printf 'BZh91AY&SY\001\002\003' | rejected flight.bz2 ': is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'
 printf '' | rejected empty.bin ': is empty: at least one line "microseconds byte byte ..." is expected'

@@ -321,7 +321,7 @@ void addDecode(CLI::App &app) {
   subcommand
       .option(
           "--sample-rate", [&overrides](double hertz) { overrides.periodNs = 1e9 / hertz; },
-          "samples a second; each row or bit is one sample (as the capture says)")
+          "samples a second; each row is one sample (as the capture says)")
       .between(1, 1e10)
       .type("HZ");
   subcommand

@@ -1,6 +1,7 @@
 #include "line/file/ByteText.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "line/recording/Words.h"
 #include "sbus/Frame.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr size_t HeadLines = 200;  // to examine
 constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
-constexpr size_t GroupsMost = 4;   // on a line with fewer bytes: date, time, milliseconds, bytes
+constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
@@ -40,14 +41,19 @@ bool takeMark(std::string_view &word) {
   return has;
 }
 
-// Returns true if bytes may be written like this. 0x and more digits is an address, eight digits of 0 and 1 are bits.
+// Returns true for eight digits of 0 and 1: bits, if all numbers are like this.
+bool isBits(std::string_view word) {
+  return word.size() == 8 && word.find_first_not_of("01") == word.npos;
+}
+
+// Returns true if bytes may be written like this. 0x and up to 16 digits is an address.
 bool isNumber(std::string_view word) {
   takeEnd(word, '!');
   const bool isMarked = takeMark(word);
   const size_t size = word.size();
-  const bool isBits = size == 8 && word.find_first_not_of("01") == word.npos;
   const bool isOdd = size % 2 != 0 && size > 1 && !(size == 3 && std::all_of(word.begin(), word.end(), isDigit));
-  return size > 0 && std::all_of(word.begin(), word.end(), isHexDigit) && !isOdd && !isBits && !(isMarked && size > 2);
+  return size > 0 && std::all_of(word.begin(), word.end(), isHexDigit) && !isOdd &&
+         !(isMarked && size > 2 && size <= 16);
 }
 
 // Calls take(word, what precedes it) for each word of letters and digits. ! ends a word.
@@ -66,6 +72,12 @@ void forEachWord(std::string_view text, const Take &take) {
       at++;
     }
   }
+}
+
+bool hasNumber(std::string_view text) {
+  bool has = false;
+  forEachWord(text, [&has](std::string_view word, std::string_view) { has = has || isNumber(word); });
+  return has;
 }
 
 // Reads a number with one digit, or bytes of two digits. Returns false for other words.
@@ -134,6 +146,11 @@ std::string readStrings(std::string_view text, TextBytes &bytes) {
   return {};
 }
 
+// Returns true if the bytes of a dump's line end here, and text may follow.
+bool isTextAt(std::string_view line, size_t at) {
+  return at > 0 && at <= line.size() && (line.substr(at, 2) == "  " || withoutBlanks(line.substr(at)).empty());
+}
+
 // Returns true if these are a frame without the tail that its variant has on the line.
 bool lacksTail(const TextBytes &bytes) {
   return bytes.size() == sbus::FrameSize &&
@@ -179,6 +196,7 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
     return;  // a dump in another form
   }
   findStyle(head);
+  bool isSure = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const bool isCut = head.find('\n') == std::string_view::npos && !isWhole;
     TextBytes bytes;
@@ -195,64 +213,89 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
     const size_t frame = frameAt(bytes);
     const TextBytes rest(bytes.begin() + static_cast<std::ptrdiff_t>(frame), bytes.end());
     _lines += !bytes.empty();
+    isSure = isSure || bytes.size() >= RunLeast ||
+             std::any_of(bytes.begin(), bytes.end(), [](TextByte byte) { return byte.value == sbus::HeaderByte; });
     _frameLines += frame > 0;
-    _filledLines += frame > 0 && (rest.empty() ? lacksTail(bytes) : frameAt(rest) == 0);
+    _filledLines += frame > 0 ? (rest.empty() ? lacksTail(bytes) : frameAt(rest) == 0) : !bytes.empty();
   }
+  _lines = isSure ? _lines : 0;  // a number at the end of lines is a byte if others are
 }
 
-// Takes the offset off a line of a dump, 00000010 or 0010:, and off its end the text beside the bytes.
+// Takes the offset off a line of a dump, 00000010, 0010: or 0010h:, and off its end the text beside the bytes.
 bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
-  const size_t digits = std::min(text.size(), text.find_first_of(": \t"));
-  const bool hasColon = digits < text.size() && text[digits] == ':';
-  const std::string_view behind = text.substr(std::min(text.size(), digits + hasColon));
+  const size_t digits = std::min(text.size(), text.find_first_of("h: \t"));
+  const size_t colon = text.substr(digits, 1) == "h" ? digits + 1 : digits;
+  const bool hasColon = text.substr(std::min(text.size(), colon), 1) == ":";
+  const std::string_view behind = text.substr(std::min(text.size(), hasColon ? colon + 1 : digits));
   if (digits < 4 || !parseWhole(text.substr(0, digits), offset, _offsetBase) ||
       !(behind.empty() || isBlank(behind[0]))) {
     return false;
   }
-  text = withoutBlanks(behind);
-  text = text.substr(0, std::min(text.find(hasColon ? "  " : "   "), text.find(" |")));
+  text = text.substr(0, isTextAt(text, _width) ? _width : text.npos);
+  text.remove_prefix(std::min(text.size(), static_cast<size_t>(behind.data() - text.data())));
+  text = withoutBlanks(text);
+  text = text.substr(0, std::min({text.find(hasColon ? "  " : "   "), text.find(" |"), text.find(" ;")}));
   return true;
 }
 
-// Offsets grow from line to line by the number of bytes between them.
+// Offsets grow from line to line by the number of bytes between them; behind these there may be text.
 void ByteText::findOffsets(std::string_view head) {
   for (const int base : {16, 8, 10}) {
     _offsetBase = base;
-    std::string_view lines = head;
-    uint64_t offset = 0, next = 0;  // of this line, and of the next one
+    _width = 0;
+    std::string_view lines = head, before;   // `before`: the bytes of the line before
+    size_t begin = 0, tried = 0, found = 0;  // `begin`: their column
+    uint64_t offset = 0, last = 0;
     for (size_t i = 0; i < HeadLines && !lines.empty(); i++) {
-      std::string_view text = withoutBlanks(takeLine(lines));
-      const bool hasColon = text.substr(0, text.find(' ')).find(':') != text.npos;
-      const bool isOne = takeOffset(text, offset);
-      if (isOne && next > 0 && offset == next) {
-        _areSwapped = !hasColon;
-        return;
+      const std::string_view line = withoutBlanks(takeLine(lines));
+      std::string_view text = line;
+      if (line.empty()) {
+        continue;
       }
-      uint64_t size = 0;
-      forEachWord(isOne ? text : "",
-                  [&size](std::string_view word, std::string_view) { size += word.size() < 4 ? 1 : word.size() / 2; });
-      next = size > 0 ? offset + size : 0;
+      const bool isOne = takeOffset(text, offset);
+      if (isOne && !before.empty()) {
+        uint64_t size = 0;
+        size_t end = 0;
+        forEachWord(before, [&](std::string_view word, std::string_view) {
+          end = last + size < offset ? static_cast<size_t>(word.data() + word.size() - before.data()) : end;
+          size += last + size < offset ? (word.size() < 4 ? 1 : word.size() / 2) : 0;
+        });
+        const bool isMatch = size > 0 && last + size == offset && isTextAt(before, end);
+        tried++;
+        found += isMatch;
+        _width = isMatch ? std::max(_width, begin + end) : _width;
+      }
+      before = isOne ? text : std::string_view();
+      begin = isOne ? static_cast<size_t>(text.data() - line.data()) : 0;
+      last = offset;
+      _areSwapped = isOne ? line.substr(0, line.find(' ')).find(':') == line.npos : _areSwapped;
+    }
+    if (found > 0 && 3 * found >= tried) {  // numbers may look like offsets here and there
+      return;
     }
   }
   _offsetBase = 0;
+  _width = 0;
 }
 
 // Finds out what the numbers of the first lines look like.
 void ByteText::findStyle(std::string_view head) {
-  bool any = false, hasMarks = false, hasLetters = false;
+  bool any = false, hasLetters = false, hasBytes = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
     _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
     for (Number &number : numbersOf(text)) {
       any = true;
       takeEnd(number.text, '!');
-      hasMarks = hasMarks || takeMark(number.text);
+      hasBytes = hasBytes || !isBits(number.text);
+      _hasMarks = takeMark(number.text) || _hasMarks;
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
       _isList = _isList || number.isFirst;
     }
   }
-  _isList = _isList || hasMarks || _hasStrings;
-  _base = any && !hasMarks && !hasLetters && !hasOffsets() ? 10 : 16;  // each frame has 0F
+  _isList = _isList || _hasMarks || _hasStrings;
+  _areBits = any && !hasBytes && !hasOffsets();
+  _base = any && !_hasMarks && !hasLetters && !hasOffsets() ? 10 : 16;  // each frame has 0F
 }
 
 // Returns the numbers of a line that are its bytes: those in runs with the same sign between them. On a line with fewer
@@ -260,14 +303,17 @@ void ByteText::findStyle(std::string_view head) {
 std::vector<ByteText::Number> ByteText::numbersOf(std::string_view line) const {
   std::string_view text = withoutBlanks(line);
   uint64_t offset;
-  if (hasOffsets() && !takeOffset(text, offset)) {
+  if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
     return {};
   }
   text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;  // the text of a dump
   for (const char *const mark : {"//", "/*", "#"}) {
     text = text.substr(0, text.find(mark));
   }
-  const size_t equals = text.rfind('=');
+  size_t equals = text.rfind('=');
+  if (equals != text.npos && text.substr(equals).find_first_not_of("= \t{[(") == 1 && !hasNumber(text.substr(equals))) {
+    equals = text.substr(0, equals).rfind('=');  // before dtype=uint8)
+  }
   text = text.substr(equals + 1);
   std::vector<Number> all;
   bool isAfterNumber = false;
@@ -289,7 +335,9 @@ std::vector<ByteText::Number> ByteText::numbersOf(std::string_view line) const {
        begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
     for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
     }
-    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._");  // the end of 18:12:30,345
+    // The end of 18:12:30,345 is no byte; after bytes, or as a field of its own, it is one.
+    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':');
+    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
     last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
     const bool isLong =
@@ -300,8 +348,26 @@ std::vector<ByteText::Number> ByteText::numbersOf(std::string_view line) const {
     }
     groups++;
   }
+  TextBytes values, allValues;
+  for (const Number &number : bytes) {
+    read(number, values);
+  }
+  for (const Number &number : all) {
+    read(number, allValues);
+  }
+  if (frameAt(values) == 0 && frameAt(allValues) > 0) {
+    return all;  // a frame in parts: 0F | E3 03 ... | 00 00
+  }
+  if (bytes.empty() && _hasMarks) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(bytes),
+                 [](Number number) { return takeMark(number.text); });
+    return bytes;
+  }
+  const size_t size = all.size();
+  const bool isTime =
+      size > last.size() && size > 2 && isOneOf(all[size - 1].sign, ":.-") && isOneOf(all[size - 2].sign, ":.-");
   const bool areLast =
-      bytes.empty() && groups <= GroupsMost && isAfterNumber && (equals == text.npos || last.size() > 1);
+      bytes.empty() && groups <= GroupsMost && isAfterNumber && !isTime && (equals == text.npos || last.size() > 1);
   return areLast ? last : bytes;
 }
 

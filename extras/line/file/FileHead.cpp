@@ -22,10 +22,11 @@ bool isControl(char c) {
   return c >= '\0' && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\x1b';
 }
 
-// Returns true for bytes that are no text: each frame of S.Bus has its header, 0F, and zeros. NULs alone are what a file
-// system leaves of a recording after a power cut.
+// Returns true for bytes that are no text: each frame of S.Bus has its header, 0F, and zeros. NULs alone are what a
+// file system leaves of a recording after a power cut.
 bool isRaw(std::string_view begin) {
-  const auto others = static_cast<size_t>(std::count_if(begin.begin(), begin.end(), [](char c) { return c != '\0' && isControl(c); }));
+  const auto others =
+      static_cast<size_t>(std::count_if(begin.begin(), begin.end(), [](char c) { return c != '\0' && isControl(c); }));
   return 50 * others > begin.size() - static_cast<size_t>(std::count(begin.begin(), begin.end(), '\0'));
 }
 
@@ -75,6 +76,10 @@ FileKind kindOfText(std::string_view text) {
   const std::string_view inside = withoutBlanks(begin.substr(begin.substr(0, 1) == "{" ? 1 : begin.size()));
   if (!inside.empty() && (inside.front() == '"' || inside.front() == '}')) {
     return FileKind::Json;
+  }
+  if (begin.substr(0, 1) == "[" && withoutBlanks(begin.substr(1)).substr(0, 1) == "{" &&
+      withoutBlanks(withoutBlanks(begin.substr(1)).substr(1)).substr(0, 6) == "\"type\"") {
+    return FileKind::Json;  // jq -s makes one array of the lines, which is rejected
   }
   if (frameTable(text) == FrameTable::Yes) {
     return FileKind::Table;
@@ -188,7 +193,8 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
   } else if (kind != FileKind::Capture) {
     const std::unique_ptr<LineReader> reader = makeReader(head);
     std::deque<Character> first;
-    while (begin.find('\n') != std::string_view::npos && first.empty() && reader->line(takeLine(begin), first).empty()) {
+    while (begin.find('\n') != std::string_view::npos && first.empty() &&
+           reader->line(takeLine(begin), first).empty()) {
     }
     head.zeroUs = reader->zeroUs();
   }
@@ -197,11 +203,13 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
 
 FileHead readFileHead(std::string_view begin, const std::string &name, unsigned long baud) {
   const std::string ownFormat = exportOf(begin, name);
-  const bool isUtf16 = begin.substr(0, 2) == "\xFF\xFE" || begin.substr(0, 2) == "\xFE\xFF";
   if (!ownFormat.empty()) {
     return wrong(ownFormat);
   }
-  if (!isUtf16 && isRaw(begin)) {
+  if (begin.substr(0, 2) == "\xFE\xFF") {
+    return wrong("is text in UTF-16 with the mark FE FF: save it as UTF-8");
+  }
+  if (begin.substr(0, 2) != "\xFF\xFE" && isRaw(begin)) {
     return headOfText(FileKind::Bytes, begin, baud);
   }
   PlainText plain;

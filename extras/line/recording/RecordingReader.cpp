@@ -58,7 +58,8 @@ std::string RecordingReader::take(std::string_view text, std::deque<Character> &
   if (!parseTime(timeWord.substr(0, mark), us) ||
       (mark != std::string_view::npos &&
        (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs < 0 || lateUs > LateMaxUs))) {
-    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
+    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment; "
+                              "without times, bytes such as 0F E3";
   }
   if (!_any) {
     begin(us < 0 ? us - _characterUs : us);
