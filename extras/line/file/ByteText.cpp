@@ -8,7 +8,17 @@
 
 namespace line {
 
+// A number of a line, and what stands before it.
+struct TextNumber {
+  std::string_view text;
+  char sign;        // between it and the number before it: see signOf()
+  bool isNegative;  // of signed decimal bytes
+  bool isFirst;     // a bracket opens before it
+};
+
 namespace {
+
+using Numbers = std::vector<TextNumber>;
 
 constexpr size_t HeadLines = 200;  // to examine
 constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
@@ -157,14 +167,75 @@ bool lacksTail(const TextBytes &bytes) {
          sbus::LineVariants[sbus::variantOfEnd(bytes[sbus::EndIndex].value)].tailSize > 0;
 }
 
-}  // namespace
+// Returns the part of a line that may hold bytes: without the text of a dump, a comment, and what is assigned to.
+std::string_view contentOf(std::string_view text, bool &isAssigned) {
+  text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;
+  for (const char *const mark : {"//", "/*", "#"}) {
+    text = text.substr(0, text.find(mark));
+  }
+  size_t equals = text.rfind('=');
+  if (equals != text.npos && text.substr(equals).find_first_not_of("= \t{[(") == 1 && !hasNumber(text.substr(equals))) {
+    equals = text.substr(0, equals).rfind('=');  // before dtype=uint8)
+  }
+  isAssigned = equals != text.npos;
+  return text.substr(equals + 1);
+}
 
-struct ByteText::Number {
-  std::string_view text;
-  char sign;        // between it and the number before it: see signOf()
-  bool isNegative;  // of signed decimal bytes
-  bool isFirst;     // a bracket opens before it
+Numbers allNumbers(std::string_view text, bool &areAtEnd) {
+  Numbers all;
+  bool isAfterNumber = false;
+  forEachWord(text, [&](std::string_view word, std::string_view before) {
+    const bool isNegative = before.size() > 1 && before.back() == '-' && isOneOf(before[before.size() - 2], " ,[{(");
+    before.remove_suffix(isNegative ? 1 : 0);
+    const size_t sign = before.find_last_not_of(" '\"");
+    const bool isPython = word == "b" && word.data() + 1 < text.data() + text.size() && isOneOf(word.data()[1], "'\"");
+    const bool is = isNumber(word) && !isPython;
+    if (is) {
+      all.push_back({word, isAfterNumber ? signOf(before) : '\0', isNegative,
+                     sign != before.npos && isOneOf(before[sign], "[{(<")});
+    }
+    isAfterNumber = is;
+  });
+  areAtEnd = isAfterNumber;
+  return all;
+}
+
+// Numbers with the same sign between them.
+struct Runs {
+  Numbers bytes;  // of all runs that are not too short
+  Numbers last;   // the last run
+  size_t count = 0;
 };
+
+Runs runsOf(const Numbers &all) {
+  Runs runs;
+  for (size_t begin = 0, end = 0, taken = 0; begin < all.size();
+       begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
+    for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
+    }
+    // The end of 18:12:30,345 is no byte; after bytes, or as a field of its own, it is one.
+    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':');
+    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
+    runs.last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
+    const bool isLong = std::any_of(runs.last.begin(), runs.last.end(),
+                                    [](const TextNumber &each) { return each.text.size() >= 4 * RunLeast; });
+    if (runs.last.size() >= RunLeast || isLong) {
+      runs.bytes.insert(runs.bytes.end(), runs.last.begin(), runs.last.end());
+      taken = end;
+    }
+    runs.count++;
+  }
+  return runs;
+}
+
+// Returns true if the last numbers are those of a date or a time.
+bool endsWithTime(const Numbers &all, const Numbers &last) {
+  const size_t size = all.size();
+  return size > last.size() && size > 2 && isOneOf(all[size - 1].sign, ":.-") && isOneOf(all[size - 2].sign, ":.-");
+}
+
+}  // namespace
 
 std::string parseHex(std::string_view text, TextBytes &bytes) {
   std::string wrong;
@@ -284,7 +355,7 @@ void ByteText::findStyle(std::string_view head) {
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
     _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
-    for (Number &number : numbersOf(text)) {
+    for (TextNumber &number : numbersOf(text)) {
       any = true;
       takeEnd(number.text, '!');
       hasBytes = hasBytes || !isBits(number.text);
@@ -300,75 +371,38 @@ void ByteText::findStyle(std::string_view head) {
 
 // Returns the numbers of a line that are its bytes: those in runs with the same sign between them. On a line with fewer
 // bytes they are the last numbers. What precedes them is a log's: a date, a time, an address, a label.
-std::vector<ByteText::Number> ByteText::numbersOf(std::string_view line) const {
+std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
   std::string_view text = withoutBlanks(line);
   uint64_t offset;
   if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
     return {};
   }
-  text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;  // the text of a dump
-  for (const char *const mark : {"//", "/*", "#"}) {
-    text = text.substr(0, text.find(mark));
-  }
-  size_t equals = text.rfind('=');
-  if (equals != text.npos && text.substr(equals).find_first_not_of("= \t{[(") == 1 && !hasNumber(text.substr(equals))) {
-    equals = text.substr(0, equals).rfind('=');  // before dtype=uint8)
-  }
-  text = text.substr(equals + 1);
-  std::vector<Number> all;
-  bool isAfterNumber = false;
-  forEachWord(text, [&](std::string_view word, std::string_view before) {
-    const bool isNegative = before.size() > 1 && before.back() == '-' && isOneOf(before[before.size() - 2], " ,[{(");
-    before.remove_suffix(isNegative ? 1 : 0);
-    const size_t sign = before.find_last_not_of(" '\"");
-    const bool isPython = word == "b" && word.data() + 1 < text.data() + text.size() && isOneOf(word.data()[1], "'\"");
-    const bool is = isNumber(word) && !isPython;
-    if (is) {
-      all.push_back({word, isAfterNumber ? signOf(before) : '\0', isNegative,
-                     sign != before.npos && isOneOf(before[sign], "[{(<")});
-    }
-    isAfterNumber = is;
-  });
-  std::vector<Number> bytes, last;
-  size_t groups = 0;
-  for (size_t begin = 0, end = 0, taken = 0; begin < all.size();
-       begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
-    for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
-    }
-    // The end of 18:12:30,345 is no byte; after bytes, or as a field of its own, it is one.
-    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':');
-    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
-    last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
-    const bool isLong =
-        std::any_of(last.begin(), last.end(), [](const Number &each) { return each.text.size() >= 4 * RunLeast; });
-    if (last.size() >= RunLeast || isLong) {
-      bytes.insert(bytes.end(), last.begin(), last.end());
-      taken = end;
-    }
-    groups++;
-  }
-  TextBytes values, allValues;
-  for (const Number &number : bytes) {
-    read(number, values);
-  }
-  for (const Number &number : all) {
-    read(number, allValues);
-  }
-  if (frameAt(values) == 0 && frameAt(allValues) > 0) {
+  bool isAssigned, areAtEnd;
+  const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
+  const Runs runs = runsOf(all);
+  if (!isFrame(runs.bytes) && isFrame(all)) {
     return all;  // a frame in parts: 0F | E3 03 ... | 00 00
   }
-  if (bytes.empty() && _hasMarks) {
-    std::copy_if(all.begin(), all.end(), std::back_inserter(bytes),
-                 [](Number number) { return takeMark(number.text); });
-    return bytes;
+  if (!runs.bytes.empty()) {
+    return runs.bytes;
   }
-  const size_t size = all.size();
-  const bool isTime =
-      size > last.size() && size > 2 && isOneOf(all[size - 1].sign, ":.-") && isOneOf(all[size - 2].sign, ":.-");
-  const bool areLast =
-      bytes.empty() && groups <= GroupsMost && isAfterNumber && !isTime && (equals == text.npos || last.size() > 1);
-  return areLast ? last : bytes;
+  if (_hasMarks) {
+    Numbers marked;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(marked),
+                 [](TextNumber number) { return takeMark(number.text); });
+    return marked;
+  }
+  const bool areBytes = runs.count <= GroupsMost && areAtEnd && !endsWithTime(all, runs.last) &&
+                        (!isAssigned || runs.last.size() > 1);
+  return areBytes ? runs.last : Numbers();
+}
+
+bool ByteText::isFrame(const std::vector<TextNumber> &numbers) const {
+  TextBytes bytes;
+  for (const TextNumber &number : numbers) {
+    read(number, bytes);
+  }
+  return frameAt(bytes) > 0;
 }
 
 std::string ByteText::line(std::string_view text, TextBytes &bytes) const {
@@ -382,14 +416,14 @@ std::string ByteText::line(std::string_view text, TextBytes &bytes) const {
   forEachWord(_isBare ? text.substr(0, text.find('#')) : "", [&wrong](std::string_view word, std::string_view) {
     wrong = wrong.empty() && !isNumber(word) ? quoted(word) + Expected : wrong;
   });
-  for (const Number &number : numbersOf(text)) {
+  for (const TextNumber &number : numbersOf(text)) {
     wrong = wrong.empty() ? read(number, bytes) : wrong;
   }
   return wrong;
 }
 
 // hexdump and od print words as a PC reads them, their lowest byte last.
-std::string ByteText::read(const Number &number, TextBytes &bytes) const {
+std::string ByteText::read(const TextNumber &number, TextBytes &bytes) const {
   const size_t from = bytes.size();
   if (_base == 16) {
     const bool isGood = takeHex(number.text, bytes);

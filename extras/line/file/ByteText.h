@@ -14,6 +14,7 @@ struct TextByte {
   bool bad;  // marked by !, as in the output of `sbus hex`
 };
 using TextBytes = std::vector<TextByte>;
+struct TextNumber;
 
 // Reads bytes in hexadecimal: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3. Returns the first word that is none, or nothing.
 std::string parseHex(std::string_view text, TextBytes &bytes);
@@ -46,13 +47,12 @@ class ByteText {
   std::string line(std::string_view text, TextBytes &bytes) const;
 
  private:
-  struct Number;
-
   void findOffsets(std::string_view head);
   void findStyle(std::string_view head);
   bool takeOffset(std::string_view &text, uint64_t &offset) const;
-  std::vector<Number> numbersOf(std::string_view text) const;
-  std::string read(const Number &number, TextBytes &bytes) const;
+  std::vector<TextNumber> numbersOf(std::string_view line) const;
+  bool isFrame(const std::vector<TextNumber> &numbers) const;
+  std::string read(const TextNumber &number, TextBytes &bytes) const;
 
   int _offsetBase = 0;       // 0: there are no offsets
   size_t _width = 0;         // of a dump's line up to the text beside the bytes
