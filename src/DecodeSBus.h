@@ -285,7 +285,7 @@ class DecodeSBusOf : protected Polling {
     _decoded = number;
   }
 
-  // Opens the port, and reads away what it has kept from before (AVR): nobody knows how old that is.
+  // Opens the port, and discards bytes that an AVR's port still holds: nobody knows how old they are.
   void open(unsigned long baud, uint32_t config) {
     _port.open(baud, config);
     for (int waiting = baud > sbus::SlowestBaud ? _port.available() : 0; waiting > 0; waiting--) {

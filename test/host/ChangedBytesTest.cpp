@@ -1,4 +1,4 @@
-// Bytes that another program changed on their way to a file: it is named, and no frame is one that nobody sent.
+// Files whose bytes another program has changed: what happened is named, and no frame is read that nobody sent.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -380,7 +380,7 @@ std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
   bool isAssigned, areAtEnd;
   const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
   const Runs runs = runsOf(all);
-  if (!isFrame(runs.bytes) && isFrame(all)) {
+  if (runs.bytes.size() < all.size() && isFrame(all) && !isFrame(runs.bytes)) {
     return all;  // a frame in parts: 0F | E3 03 ... | 00 00
   }
   if (!runs.bytes.empty()) {

@@ -53,17 +53,23 @@ bool hasCrLf(std::string_view bytes) {
          headersIn(bytes, sbus::FrameSize + 1, sbus::FrameSize + MostMore) > 0;
 }
 
+// Returns true if there is no 11 and no 13, and frames are too short.
+bool lacksXonXoff(std::string_view bytes) {
+  const size_t shorts = headersIn(bytes, sbus::FrameSize - 6, sbus::FrameSize - 1);
+  return bytes.find_first_of("\x11\x13") == bytes.npos && shorts >= 3 &&
+         10 * shorts > headersIn(bytes, 0, bytes.size());
+}
+
 }  // namespace
 
 Mangled::Mangled(std::string_view head) {
-  const size_t shorts = headersIn(head, sbus::FrameSize - 6, sbus::FrameSize - 1);
-  if (isUtf8(head) || hasCrLf(head)) {
+  const bool wasUtf8 = isUtf8(head);
+  if (wasUtf8 || hasCrLf(head)) {
     isLost = true;
-    what = isUtf8(head) ? "its bytes went through UTF-8: a program took them for text"
-                        : "each 0A became 0D 0A: a program took its bytes for text";
+    what = wasUtf8 ? "its bytes went through UTF-8: a program took them for text"
+                   : "each 0A became 0D 0A: a program took its bytes for text";
     remedy = "write them to the file as they are";
-  } else if (head.find_first_of("\x11\x13") == head.npos && shorts >= 3 &&
-             10 * shorts > headersIn(head, 0, head.size())) {
+  } else if (lacksXonXoff(head)) {
     what = "11 and 13 are missing throughout, and frames are too short: they are taken for XON and XOFF";
     remedy = "turn software flow control off in the program that wrote it";
   }
