@@ -11,14 +11,19 @@ namespace tool {
 
 namespace {
 
-// Returns a channel of --trainer, counted from 0.
-size_t trainersChannel(std::string_view word) {
-  const unsigned channel = channelOf(line::lower(std::string(word)));
+// Returns the channel of this name, counted from 0. If it is not one of ch1 to ch16, rejects the command line: `wrong`.
+size_t channelOr(const std::string &wrong, std::string_view name) {
+  const unsigned channel = channelOf(line::lower(std::string(name)));
   if (channel == 0 || channel > sbus::ProportionalCount) {
-    rejectCommandLine("--trainer: channels of ch1 to ch16, such as ch8 or ch8=ch1,ch2, are expected, not " +
-                      line::quoted(word));
+    rejectCommandLine(wrong);
   }
   return channel - 1;
+}
+
+size_t trainersChannel(std::string_view word) {
+  return channelOr("--trainer: channels of ch1 to ch16, such as ch8 or ch8=ch1,ch2, are expected, not " +
+                       line::quoted(word),
+                   word);
 }
 
 }  // namespace
@@ -59,20 +64,19 @@ void FrameRules::readFailsafe() {
   }
   line::forEachBetweenCommas(_failsafe, [&](std::string_view each) {
     const std::string word(each);
-    const unsigned channel = channelOf(line::lower(word.substr(0, word.find('='))));
-    if (channel == 0 || channel > sbus::ProportionalCount) {
-      rejectCommandLine("--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not " + word);
-    }
+    const size_t channel =
+        channelOr("--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not " + word,
+                  each.substr(0, each.find('=')));
     line::FrameValues values;
     const std::string wrong = line::assign(word, _range, values);
     if (!wrong.empty()) {
       rejectCommandLine("--failsafe: " + wrong);
     }
     if (std::any_of(_failsafeValues.begin(), _failsafeValues.end(),
-                    [&](const auto &other) { return other.first == channel - 1; })) {
+                    [&](const auto &other) { return other.first == channel; })) {
       rejectCommandLine("--failsafe: " + line::quoted(word) + " sets a channel twice; leave one of them out");
     }
-    _failsafeValues.emplace_back(channel - 1, values.raw[channel - 1]);
+    _failsafeValues.emplace_back(channel, values.raw[channel]);
   });
 }
 
