@@ -318,9 +318,11 @@ class DecodeSBusOf : protected Polling {
   }
 
   void onReceive() {
-    if (!Events::wantsTimes() && _port.isAtHalf() && _finder.mayWait(_port.waiting(), micros())) {
-      _port.callAgain();  // one read for a frame costs less than two
-      return;
+    if (!Events::wantsTimes() && _port.isAtHalf()) {
+      _port.callAgain();  // before the bytes are counted: those that come meanwhile must call, too
+      if (_finder.mayWait(_port.waiting(), micros())) {  // one read for a frame costs less than two
+        return;
+      }
     }
     pollAll(true);
   }

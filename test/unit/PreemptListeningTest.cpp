@@ -76,11 +76,21 @@ class Port : public HardwareSerial {
     }
     if (_state.rx_event) {
       _state.rx_event = false;
-      if (!isLost) {
-        _callback.call();
-      }
+      _isDue = !isLost;
+      callBack();
     }
   }
+
+  // Makes the call that is due. PendSV does not interrupt itself (armv6m_pendsv.c:133).
+  void callBack() {
+    while (_isDue && !_isCalling && !isMasked) {
+      _isDue = false;
+      _isCalling = true;
+      _callback.call();
+      _isCalling = false;
+    }
+  }
+  bool isMasked = false;  // PendSV does not run
 
   stm32l0_uart_t &state() { return _state; }
 
@@ -106,6 +116,8 @@ class Port : public HardwareSerial {
   size_t _first = 0;
   stm32l0_uart_t _state{};
   volatile bool _isWorking = false;
+  volatile bool _isDue = false;
+  volatile bool _isCalling = false;
   const uint8_t *_late = nullptr;
   volatile size_t _lateSize = 0;
   Callback _callback;
@@ -205,6 +217,19 @@ TEST_CASE("... also if an event was lost, and loop() finds the bytes") {
         now.whole();
         now.check();
       });
+}
+
+TEST_CASE("the end of a frame that comes while the port calls for its first half is not left in the port") {
+  everyInstruction(
+      [](Scene &now) {
+        SBusFrame before;
+        now.sbus.read(before);
+        now.port.isMasked = true;
+        now.first();
+        now.port.isMasked = false;
+      },
+      [](Scene &now) { now.port.callBack(); }, [] { scene->last(); },
+      [](Scene &now, bool) { REQUIRE(now.sbus.newFrame()); });
 }
 
 TEST_CASE("counters() while the port calls back are those before it or those after it") {
