@@ -321,6 +321,7 @@ class DecodeSBusOf : protected Polling {
     if (!Events::wantsTimes() && _port.isAtHalf()) {
       _port.callAgain();  // before the bytes are counted: those that come meanwhile must call, too
       if (_finder.mayWait(_port.waiting(), micros())) {  // one read for a frame costs less than two
+        _port.noteFound();
         return;
       }
     }
@@ -331,6 +332,7 @@ class DecodeSBusOf : protected Polling {
   void pollAll(bool fromCallback) {
     while (_port.enter()) {
       poll(sbus::Listener::Calls && fromCallback);
+      _port.noteFound();
       if (!_port.leave()) {
         return;
       }

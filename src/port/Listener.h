@@ -45,8 +45,21 @@ class Listener {
   unsigned waiting() const { return static_cast<unsigned>(_uart->rx_count); }
   // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its
   // ring, and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong
-  // (:529).
-  __attribute__((always_inline)) bool wasIdle() const { return _uart != nullptr && _uart->rx_index % HalfRing != 0; }
+  // (:529). Where no call has found the half before, masked interrupts may have delayed it: that proves nothing.
+  __attribute__((always_inline)) bool wasIdle() const {
+    if (_uart == nullptr) {
+      return false;
+    }
+    const unsigned at = _uart->rx_index;
+    return at == _foundAt ? _foundIdle : at % HalfRing != 0 && ((at ^ _foundAt) & HalfRing) == 0;
+  }
+  // Notes how far the port has handed over: at the end of each call.
+  void noteFound() {
+    if (_uart != nullptr) {
+      _foundIdle = wasIdle();
+      _foundAt = static_cast<uint8_t>(_uart->rx_index);
+    }
+  }
   // Returns true if it was idle after the newest byte that was read.
   bool isIdle() const {
     if (_uart == nullptr || !wasIdle()) {
@@ -129,6 +142,8 @@ class Listener {
   volatile bool _isBusy = false;
   volatile bool _wasCalled = false;
   volatile uint8_t _polls = 0;
+  uint8_t _foundAt = 0;  // in the ring
+  bool _foundIdle = false;
 };
 
 #else
@@ -143,6 +158,7 @@ class Listener {
   static constexpr bool wasIdle() { return false; }
   static constexpr bool isAtHalf() { return false; }
   static void callAgain() {}
+  static void noteFound() {}
   static constexpr unsigned waiting() { return 0; }
   template <typename Port>
   explicit Listener(Port &) {}

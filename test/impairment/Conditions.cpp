@@ -105,6 +105,15 @@ Run late(uint32_t us, Run run = plain()) {
   return run;
 }
 
+// Libraries that mask interrupts do it for 30 us a LED (Adafruit_NeoPixel), 1 ms a character (SoftwareSerial at 9600 baud) or
+// 5 ms (a DHT22's). `everyUs`: in step with the line, or not.
+Run masked(uint32_t us, uint32_t everyUs, uint32_t unsteadyUs, Run run = plain()) {
+  run.maskedUs = us;
+  run.maskEveryUs = everyUs;
+  run.maskUnsteadyUs = unsteadyUs;
+  return run;
+}
+
 // Each name has its own, whatever other conditions there are.
 uint64_t ownSeed(const std::string &name, uint64_t seed) {
   for (const char c : name) {
@@ -229,12 +238,31 @@ const std::vector<Condition> &lateCallLines() {
   return lines;
 }
 
+const std::vector<Condition> &maskedLines() {
+  static const std::vector<Setup> setups = calledBack({7000, 9000, 14000}, 40);
+  static const std::vector<Condition> lines = {
+      {"masked for 150 us of each ms", masked(150, 1000, 0), setups, NeverWrong},
+      {"masked for 400 us of each ms", masked(400, 1000, 0), setups, NeverWrong},
+      {"masked for 400 us now and then", masked(400, 1000, 3000), setups, NeverWrong},
+      {"masked for 1 ms now and then", masked(1000, 2000, 3000), setups, NeverWrong},
+      {"masked for 3 ms now and then", masked(3000, 20000, 9000), setups, NeverWrong},
+      {"masked for 400 us now and then, dropped 1/300", masked(400, 1000, 3000, dropped(1 / 300.)), setups},
+      {"masked for 1 ms now and then, dropped 1/300", masked(1000, 2000, 3000, dropped(1 / 300.)), setups},
+      {"masked for 3 ms now and then, dropped 1/300", masked(3000, 20000, 9000, dropped(1 / 300.)), setups},
+      {"masked for 400 us now and then, noise in 1/10 gaps", masked(400, 1000, 3000, noise(1 / 10.)), setups},
+      {"masked for 1 ms now and then, noise in 1/10 gaps", masked(1000, 2000, 3000, noise(1 / 10.)), setups},
+      {"masked for 400 us now and then, 24 channels into 16, dropped 1/50",
+       masked(400, 1000, 3000, dropped(1 / 50., Kind::Channels24)), setups, None, NotMadeUp},
+  };
+  return lines;
+}
+
 }  // namespace
 
 const std::vector<Condition> &conditions() {
   static const std::vector<Condition> list = [] {
     std::vector<Condition> all = impairedLines();
-    for (const std::vector<Condition> &more : {companyLines(), joinLines(), senderLines(), lateCallLines()}) {
+    for (const std::vector<Condition> &more : {companyLines(), joinLines(), senderLines(), lateCallLines(), maskedLines()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;

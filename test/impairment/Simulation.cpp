@@ -25,6 +25,7 @@ class Simulation {
     fakeStoodStillUs = 0;
     _receiver.begin(_run.line.baud);
     _nextBlockUs = _run.blockEveryUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
+    _maskUs = _run.maskedUs != 0 ? fakeMicros + randomUs(_run.maskEveryUs) : UINT64_MAX;
     do {
       loop();
       receive();
@@ -102,7 +103,8 @@ class Simulation {
       line::Character character;
       _line.next(fakeMicros, character);
       handOver(character.endUs - _characterUs);
-      callBack(character.endUs - 1);
+      while (interrupt(character.endUs - 1)) {
+      }
       for (SentFrame frame; _line.nextSent(frame);) {
         (frame.extra ? _extraJudge : _judge).sent(frame);
       }
@@ -114,20 +116,40 @@ class Simulation {
       _port.receive(character);
       _lastEndUs = character.endUs;
       noteEvent(character.endUs);
-      callBack(character.endUs);
+      while (interrupt(character.endUs)) {
+      }
     }
     handOver(std::min(fakeMicros, _nextUs - _characterUs));  // then it is no longer idle
-    callBack(fakeMicros);
+    while (interrupt(fakeMicros)) {
+    }
   }
 
   // Passes the time up to `us`, before the next character begins.
   void handOver(uint64_t us) {
     do {
-      const uint64_t untilUs = std::min(us, _callUs);
+      const uint64_t untilUs = std::min({us, _isMasked ? UINT64_MAX : _callUs, _maskUs});
       const uint64_t idleUs = _port.idleFromUs();
       _port.advance(untilUs);
-      noteEvent(std::min(untilUs, idleUs));
-    } while (callBack(us));
+      noteEvent(_isMasked ? untilUs : std::min(untilUs, idleUs));
+    } while (interrupt(us));
+  }
+
+  // Makes the next change of the mask or the call that waits, if it comes by the time `us`, and returns true.
+  bool interrupt(uint64_t us) { return changeMask(us) || callBack(us); }
+
+  // Masks interrupts, or no longer, if that is due by the time `us`, and returns true.
+  bool changeMask(uint64_t us) {
+    if (_maskUs > us || (!_isMasked && _callUs < _maskUs)) {
+      return false;
+    }
+    if (_isMasked && _callUs != UINT64_MAX) {
+      _callUs = std::max(_callUs, _maskUs);
+    }
+    _isMasked = !_isMasked;
+    _port.mask(_isMasked);
+    noteEvent(_maskUs);
+    _maskUs += _isMasked ? _run.maskedUs : _run.maskEveryUs - _run.maskedUs + randomUs(_run.maskUnsteadyUs + 1);
+    return true;
   }
 
   // The port may have handed bytes over at `us`.
@@ -141,7 +163,7 @@ class Simulation {
   // Makes the call that waits, if it comes by the time `us`, and returns true. By then other bytes may have followed
   // those of the event; they bring no event of their own.
   bool callBack(uint64_t us) {
-    if (_callUs > us) {
+    if (_callUs > us || _isMasked) {
       return false;
     }
     const uint64_t nowUs = fakeMicros;
@@ -273,6 +295,8 @@ class Simulation {
   uint64_t _callUs = UINT64_MAX;  // when its call comes
   uint64_t _workUs = 0;           // when the newest other work begins, and ends
   uint64_t _workEndUs = _beginUs;
+  bool _isMasked = false;
+  uint64_t _maskUs = UINT64_MAX;  // when interrupts are next masked, or no longer
   uint64_t _nextBlockUs = 0;
   uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;

@@ -15,7 +15,8 @@ struct ListeningBoardOf {
   CallingPort port;
   Decoder sbus{port};
   uint64_t heldUpUs = 0;         // how late PendSV's calls are
-  bool isHeld = false;           // interrupts are masked
+  bool isHeld = false;           // PendSV does not run
+  uint64_t maskedUs = 0;         // of each ms: interrupts are masked
   bool losesEvents = false;      // PendSV's queue is full
   std::function<void()> called;  // after each call
 
@@ -53,6 +54,10 @@ struct ListeningBoardOf {
     constexpr uint64_t Step = 10;
     for (const uint64_t untilUs = fakeMicros + us; fakeMicros < untilUs;) {
       const uint64_t step = std::min(Step, untilUs - fakeMicros);
+      if (maskedUs != 0) {
+        _isMasked = fakeMicros % 1000 < maskedUs;
+        port.mask(_isMasked);
+      }
       if (_isAsleep) {
         fakeSleep(step);
       } else {
@@ -68,7 +73,7 @@ struct ListeningBoardOf {
       _hasEvent = port.takeEvent(losesEvents);
       _dueUs = fakeMicros + heldUpUs;
     }
-    if (isHeld) {
+    if (isHeld || _isMasked) {
       return;
     }
     if (_hasEvent && fakeMicros >= _dueUs) {
@@ -82,6 +87,7 @@ struct ListeningBoardOf {
   }
 
   bool _isAsleep = false;
+  bool _isMasked = false;
   bool _hasEvent = false;
   uint64_t _dueUs = 0;
 };

@@ -76,6 +76,9 @@ class UartPort : public HardwareSerial {
     return _lostBehindKept;
   }
 
+  // Interrupts are masked on a board whose DMA goes on.
+  void mask(bool isMasked) { _uart.mask(isMasked); }
+
   uint64_t bytesRead() const { return _bytesRead; }
   unsigned reads() const { return _reads; }  // calls that took bytes
   unsigned asked() const { return _asked; }  // calls of available()

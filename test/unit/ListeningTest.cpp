@@ -141,6 +141,23 @@ TEST_CASE("a character 00 after each frame costs no frame for long, wherever the
   CHECK(board.sbus.counters().frames >= 180);
 }
 
+// Adafruit_NeoPixel masks interrupts for 30 us a LED, a DHT22's driver for 5 ms, SoftwareSerial for 1 ms a character.
+TEST_CASE("interrupts masked for some hundred us of each ms, which delay what the port hands over, cost no frame") {
+  for (const uint64_t maskedUs : {100u, 130u, 150u, 200u, 400u, 700u}) {
+    for (const uint64_t periodUs : {7000u, 9000u, 9370u, 14000u}) {
+      INFO("maskedUs ", maskedUs, ", periodUs ", periodUs);
+      Listening board;
+      board.maskedUs = maskedUs;
+      for (unsigned number = 0; number < 200; number++) {
+        board.frame(bytesOf(plainFrame(number)), periodUs);
+      }
+      board.sbus.parseSBusFrame();
+      CHECK(board.sbus.counters().frames >= 199);
+      CHECK(board.sbus.counters().discardedBytes <= 25);
+    }
+  }
+}
+
 TEST_CASE("if the port's event is lost, a method that finds the newest frame old reads what waits, and all goes on") {
   Listening board;
   for (unsigned number = 0; number < 3; number++) {

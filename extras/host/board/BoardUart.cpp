@@ -14,6 +14,7 @@ void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t char
   _state = {};
   _state.rx_event = true;
   _event = false;
+  _isDue = false;
 }
 
 void BoardUart::receive(const line::Character &character) {
@@ -41,7 +42,19 @@ void BoardUart::advance(uint64_t nowUs) {
   }
 }
 
+void BoardUart::mask(bool isMasked) {
+  _isMasked = isMasked;
+  if (!isMasked && _isDue) {
+    handOver();
+  }
+}
+
 void BoardUart::handOver() {
+  if (_isMasked) {
+    _isDue = _isDue || _state.rx_index != _ringWrite;
+    return;
+  }
+  _isDue = false;
   while (_state.rx_index != _ringWrite) {
     const uint8_t byte = _ring[_state.rx_index];
     _state.rx_index = (_state.rx_index + 1) % RingSize;

@@ -44,6 +44,10 @@ class BoardUart {
   // Returns when the line will have been idle for a character's time, if no character arrives.
   uint64_t idleFromUs() const { return _lastEndUs + _characterUs; }
 
+  // Interrupts are masked from now on, or no longer: the DMA goes on, and what should have been handed over meanwhile is
+  // at the end, with all that has come by then (stm32l0_uart_dma_receive() takes the DMA's count, stm32l0_uart.c:99).
+  void mask(bool isMasked);
+
   // These are the sketch's calls. A closed port has nothing to read: then read() and peek() return -1.
   int available() const { return _open ? static_cast<int>(_state.rx_count) : 0; }
   int peek();
@@ -66,6 +70,8 @@ class BoardUart {
   void handOver();
 
   bool _open = false;
+  bool _isMasked = false;
+  bool _isDue = false;  // while it was masked the ring should have been handed over
   uint64_t _openedUs = 0;
   uint64_t _lastEndUs = 0;
   uint32_t _characterUs = line::CharacterUs;
