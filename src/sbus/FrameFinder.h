@@ -146,11 +146,19 @@ class FrameFinderOf : private Events {
     return _buffer.filled() < Format::Size ? nullptr : acceptAfterSilence(_timing.template silenceAfter<Format>());
   }
 
-  /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
-  /// (Nearly always the frame has been delivered: then a search is spared, 46 cycles.)
+  /// The line was idle for a character or more after the last byte, or the next character was damaged. Returns the frame
+  /// that this proves, or nullptr. (Nearly always the frame has been delivered: then a search is spared, 46 cycles.)
+  ///
+  /// Before the first frame this is no proof, unless as many characters came between the two gaps before: a frame of 24
+  /// channels with a damaged character has 25 characters, and then ten.
   const uint8_t *ended() {
     if (_buffer.filled() == 0) {
       gapBefore(Silence::Gap);
+      return nullptr;
+    }
+    if (_variant == UnknownVariant && _buffer.filled() >= Size && !_sizeCheck.isRepeated()) {
+      _sizeCheck.gap(_buffer.filled(), true);
+      likelyGap();
       return nullptr;
     }
     return acceptAfterSilence(Silence::Gap);

@@ -158,10 +158,11 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
 }
 
 /// Returns true if a gap after it would still prove that it is aligned. It would not after the short rest of one frame
-/// and a frame from `inner` on that lost as many characters; more characters than noise has come before such a rest.
+/// and a frame from `inner` on that lost as many characters; more characters than noise has come before such a rest,
+/// and not just a frame's number of them, which are a frame with header 2F.
 template <typename Format>
 SBUS_IN_LINE bool silenceMayProve(const Candidate<Format> &c, int inner) {
-  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= MostNoise);
+  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= MostNoise || c.distance == FrameSize);
 }
 
 /// Returns true if this may be the break that some receivers send after each frame and each slot (a Futaba R7008SB).

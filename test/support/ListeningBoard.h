@@ -33,11 +33,13 @@ struct ListeningBoardOf {
     go(us, [this] { port.advance(fakeMicros); });
   }
 
-  // Sends characters, one directly after the other.
-  void send(const Bytes &bytes) {
-    for (const uint8_t value : bytes) {
+  // Sends characters, one directly after the other. That at index `bad` has a wrong parity.
+  void send(const Bytes &bytes, size_t bad = SIZE_MAX) {
+    for (size_t i = 0; i < bytes.size(); i++) {
       go(CharacterUs, [] {});
-      port.receive({fakeMicros, value});
+      line::Character character{fakeMicros, bytes[i]};
+      character.bad = i == bad;
+      port.receive(character);
       callBack();
     }
   }

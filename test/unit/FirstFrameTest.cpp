@@ -47,7 +47,8 @@ TEST_CASE(
       CHECK(line.feed({0x0F}).empty());
       const bool isFirst = before > 0 && (mayBeLonger || header);
       CHECK(line.feed(part(Low, 1)).empty() == isFirst);
-      CHECK(line.wait(Feeder::GapUs).waited.size() == isFirst);
+      const bool isOtherSize = before + Low.size() + (header ? 2 : 0) == 36;  // then one of 25 characters is no proof
+      CHECK(line.wait(Feeder::GapUs).waited.size() == (isFirst && !isOtherSize));
     }
   }
 }
