@@ -102,9 +102,8 @@ class DecodeSBusOf : protected Polling {
     this->stopPolling();
     _port.enter();
     _port.close();
-    _port.stop(_port.stream());
+    _port.stop();
     _link.stop();
-    _port.leave();
   }
 
   // ---- Called in every loop()
@@ -310,7 +309,7 @@ class DecodeSBusOf : protected Polling {
   // Lets the port call `method`. The first poll comes at once: a port with pending bytes does not call before that.
   template <typename Object>
   void startCallbacks(void (Object::*method)(), Object *object) {
-    const bool callsBack = _port.start(_port.stream(), method, object);
+    const bool callsBack = _port.start(method, object);
     _port.leave();
     if (callsBack) {
       pollAll(false);
@@ -321,7 +320,6 @@ class DecodeSBusOf : protected Polling {
     if (!Events::wantsTimes() && _port.isAtHalf()) {
       _port.callAgain();  // before the bytes are counted: those that come meanwhile must call, too
       if (_finder.mayWait(_port.waiting(), micros())) {  // one read for a frame costs less than two
-        _port.noteFound();
         return;
       }
     }
@@ -331,8 +329,7 @@ class DecodeSBusOf : protected Polling {
   // Polls, and once more if the port has called back meanwhile.
   void pollAll(bool fromCallback) {
     while (_port.enter()) {
-      poll(sbus::Listener::Calls && fromCallback);
-      _port.noteFound();
+      poll(sbus::ListeningPort::Calls && fromCallback);
       if (!_port.leave()) {
         return;
       }

@@ -39,7 +39,6 @@ void SBus2Sensor::start(unsigned long baud) {
 void SBus2Sensor::end() {
   stop();
   _finder.events().skip();
-  _port.leave();
   Decoder::end();
 }
 
@@ -52,7 +51,9 @@ void SBus2Sensor::parseSBusFrame() {
   checkClock(_clockCheck.mayHaveStopped());
   receive(false);
   _isLate = false;
-  _port.enter();
+  if (!_port.enter()) {
+    return;
+  }
   answerWithin(LongestWait);
   if (_port.leave()) {
     receive(true);
@@ -123,7 +124,7 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) 
 // If the port calls meanwhile, what it has found is planned afterwards.
 void SBus2Sensor::receive(bool fromCallback) {
   while (_port.enter()) {
-    poll(sbus::Listener::Calls && fromCallback);
+    poll(sbus::ListeningPort::Calls && fromCallback);
     plan(fromCallback);  // inlined: on an AVR the polls must not be farther apart
     if (!_port.leave()) {
       return;

@@ -26,6 +26,12 @@ class Clock {
     tell(sleeps);
   }
   void stop() { tell(nullptr); }
+  // The core must not call an object that is gone.
+  ~Clock() {
+    if (_notice.callback != nullptr) {
+      stop();
+    }
+  }
 
   // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
   // the frame before: SleepClock::hasSlept(). `time` is earlier than micros(), so it is asked for first.
@@ -69,7 +75,7 @@ class Clock {
     static_cast<Clock *>(object)->_sleeps.beforeSleep(micros(), ms);
   }
 
-  stm32l0_system_notify_t _notice;
+  stm32l0_system_notify_t _notice = {};
   SleepClock _sleeps;
 };
 

@@ -22,13 +22,24 @@ inline stm32l0_uart_t *uartOf(Stream &) {
 // The STM32L0's port calls back at PendSV level, which interrupts loop(): at once, and then not until bytes have been
 // read (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses
 // all later ones until bytes are read: any method that finds the newest frame old reads them.
-class Listener {
+class ListeningPort : public Port {
  public:
   static constexpr bool Calls = true;  // some ports call back
 
-  // Remembers whether a port of this class calls back.
-  template <typename Port>
-  explicit Listener(Port &port) : _set(setterOf(&port, Rank<1>())) {}
+  // Remembers `port`, and whether a port of this class calls back.
+  template <typename Class>
+  explicit ListeningPort(Class &port) : Port(port), _set(setterOf(&port, Rank<1>())) {}
+  // Remembers `port` and its pins.
+  template <typename Class>
+  ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), _set(setterOf(&port, Rank<1>())) {}
+  ListeningPort(const ListeningPort &) = delete;
+  ListeningPort &operator=(const ListeningPort &) = delete;
+  // The port must not call an object that is gone.
+  ~ListeningPort() {
+    if (!_isBusy) {
+      stop();
+    }
+  }
 
   // Returns true if wasIdle() and isIdle() know: from start() on. (A constant on the board: 300 bytes less. There
   // another Stream shows no gaps.)
@@ -40,26 +51,16 @@ class Listener {
   // Returns true if the port has just called because half of its ring was full, and no method runs.
   bool isAtHalf() const { return _uart != nullptr && !wasIdle() && !_isBusy; }
   // Lets the port call again though nothing was read, as a read of no bytes does (stm32l0_uart.c:1171).
-  void callAgain() const { _uart->rx_event = true; }
+  void callAgain() {
+    noteFound();
+    _uart->rx_event = true;
+  }
   // Returns how many bytes wait.
   unsigned waiting() const { return static_cast<unsigned>(_uart->rx_count); }
   // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its
   // ring, and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong
   // (:529). Where no call has found the half before, masked interrupts may have delayed it: that proves nothing.
-  __attribute__((always_inline)) bool wasIdle() const {
-    if (_uart == nullptr) {
-      return false;
-    }
-    const unsigned at = _uart->rx_index;
-    return at == _foundAt ? _foundIdle : at % HalfRing != 0 && ((at ^ _foundAt) & HalfRing) == 0;
-  }
-  // Notes how far the port has handed over: at the end of each call.
-  void noteFound() {
-    if (_uart != nullptr) {
-      _foundIdle = wasIdle();
-      _foundAt = static_cast<uint8_t>(_uart->rx_index);
-    }
-  }
+  __attribute__((always_inline)) bool wasIdle() const { return _uart != nullptr && wasIdle(_uart->rx_index); }
   // Returns true if it was idle after the newest byte that was read.
   bool isIdle() const {
     if (_uart == nullptr || !wasIdle()) {
@@ -71,23 +72,23 @@ class Listener {
 
   // Returns true if start() makes the port call.
   bool callsBack() const { return _set != nullptr; }
-  // From now on `port` calls this method. Returns false if it cannot call back.
+  // From now on the port calls this method. Returns false if it cannot call back.
   template <typename Object>
-  bool start(Stream &port, void (Object::*method)(), Object *object) {
+  bool start(void (Object::*method)(), Object *object) {
     if (_set != nullptr) {
-      _uart = _set(port, Callback(method, object));
+      _uart = _set(stream(), Callback(method, object));
     }
     return callsBack();
   }
   // Stops these calls.
-  void stop(Stream &port) const {
+  void stop() {
     if (_set != nullptr) {
-      _set(port, Callback());
+      _set(stream(), Callback());
     }
   }
 
-  // Returns true if no other caller is between enter() and leave(). Otherwise this interrupts that caller, and its
-  // leave() returns true.
+  // Returns true if the port is open here, and no other caller is between enter() and leave(). Otherwise this interrupts
+  // that caller, and its leave() returns true. An object that was never begun, or was ended, takes no bytes.
   bool enter() {
     if (_isBusy) {
       _wasCalled = true;
@@ -102,6 +103,7 @@ class Listener {
   uint8_t polls() const { return _polls; }
   // Returns true if enter() has returned false meanwhile: bytes have come.
   bool leave() {
+    noteFound();
     barrier();
     _isBusy = false;
     barrier();
@@ -116,30 +118,43 @@ class Listener {
   using Set = State *(Stream &port, const Callback &callback);
 
   // A port that calls back, and has a buffer of its own. (USB calls back, too, but its bytes come in packets, late.)
-  template <typename Port>
-  static auto setterOf(Port *port, Rank<1>)
+  template <typename Class>
+  static auto setterOf(Class *port, Rank<1>)
       -> decltype(port->onReceive(Callback()), port->begin(0, 0, static_cast<uint8_t *>(nullptr), 0),
                   static_cast<Set *>(nullptr)) {
-    return set<Port>;
+    return set<Class>;
   }
-  template <typename Port>
-  static Set *setterOf(Port *, Rank<0>) {
+  template <typename Class>
+  static Set *setterOf(Class *, Rank<0>) {
     return nullptr;
   }
 
   // A callback is two words: an interrupt between the two would call the new function with the old object.
-  template <typename Port>
+  template <typename Class>
   static State *set(Stream &port, const Callback &callback) {
     const uint32_t masked = __get_PRIMASK();
     __disable_irq();
-    static_cast<Port &>(port).onReceive(callback);
+    static_cast<Class &>(port).onReceive(callback);
     __set_PRIMASK(masked);
-    return uartOf(static_cast<Port &>(port));
+    return uartOf(static_cast<Class &>(port));
+  }
+
+  // Returns what wasIdle() does if the port has handed over up to this place of its ring.
+  __attribute__((always_inline)) bool wasIdle(unsigned at) const {
+    return at == _foundAt ? _foundIdle : at % HalfRing != 0 && ((at ^ _foundAt) & HalfRing) == 0;
+  }
+  // Notes how far the port has handed over: at the end of each call.
+  void noteFound() {
+    if (_uart != nullptr) {
+      const unsigned at = _uart->rx_index;
+      _foundIdle = wasIdle(at);
+      _foundAt = static_cast<uint8_t>(at);
+    }
   }
 
   Set *const _set;  // null: the port cannot call back
   State *_uart = nullptr;  // null: the port does not tell when its line was idle
-  volatile bool _isBusy = false;
+  volatile bool _isBusy = true;  // until the first leave(), and from end() on
   volatile bool _wasCalled = false;
   volatile uint8_t _polls = 0;
   uint8_t _foundAt = 0;  // in the ring
@@ -149,7 +164,7 @@ class Listener {
 #else
 
 // No port calls back: loop() polls.
-class Listener {
+class ListeningPort : public Port {
  public:
   static constexpr bool Calls = false;
   static constexpr bool callsBack() { return false; }
@@ -158,31 +173,32 @@ class Listener {
   static constexpr bool wasIdle() { return false; }
   static constexpr bool isAtHalf() { return false; }
   static void callAgain() {}
-  static void noteFound() {}
   static constexpr unsigned waiting() { return 0; }
-  template <typename Port>
-  explicit Listener(Port &) {}
+  template <typename Class>
+  explicit ListeningPort(Class &port) : Port(port) {}
+  template <typename Class>
+  ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx) {}
   template <typename Object>
-  bool start(Stream &, void (Object::*)(), Object *) const {
+  bool start(void (Object::*)(), Object *) const {
     return false;
   }
-  void stop(Stream &) const {}
-  bool enter() { return true; }
+  void stop() const {}
+  bool enter() const { return _isOpen; }
   static constexpr uint8_t polls() { return 0; }
-  bool leave() { return false; }
+  bool leave() {
+    _isOpen = true;
+    return false;
+  }
+  void close() {
+    _isOpen = false;
+    Port::close();
+  }
+
+ private:
+  bool _isOpen = false;  // an object that was never begun, or was ended, takes no bytes
 };
 
 #endif
-
-// A port and its receive callback, on cores that have one. (A base class without members takes no byte.)
-struct ListeningPort : Port, Listener {
-  // Remembers `port`.
-  template <typename Class>
-  explicit ListeningPort(Class &port) : Port(port), Listener(port) {}
-  // Remembers `port` and its pins.
-  template <typename Class>
-  ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), Listener(port) {}
-};
 
 // loop() polls, or the port calls back. PolledByTimer does by a timer instead (Ticker.h), and has the same
 // members.

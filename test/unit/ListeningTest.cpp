@@ -178,6 +178,43 @@ TEST_CASE("interrupts masked for some hundred us of each ms, which delay what th
   }
 }
 
+TEST_CASE("an object that was never begun, was ended or has died takes no bytes from the port's owner, and is not called") {
+  enum Before { Never, Ended, Died };
+  for (const Before before : {Never, Ended, Died}) {
+    CAPTURE(static_cast<int>(before));
+    ListeningBoard board;
+    DecodeSBus other(board.port);
+    {
+      DecodeSBus dying(board.port);
+      if (before == Died) {
+        dying.begin();
+        board.frame(bytesOf(plainFrame(0)), 9 * Ms);
+      }
+    }
+    board.frame(bytesOf(plainFrame(0)), 9 * Ms);
+    if (before == Ended) {
+      other.begin();
+      board.frame(bytesOf(plainFrame(0)), 9 * Ms);
+      other.end();
+    }
+    board.sbus.begin();
+    board.pass(20 * Ms);
+    const uint32_t seen = other.counters().frames;
+    for (unsigned number = 0; number < 300; number++) {
+      board.send(part(plainFrame(number), 0, 20));
+      SBusFrame frame;
+      other.linkState();
+      other.parseSBusFrame();
+      other.read(frame);
+      CHECK(frame.failsafe);
+      board.send(part(plainFrame(number), 20));
+      board.pass(9 * Ms - 25 * 120);
+    }
+    CHECK(board.sbus.counters().frames == 300);
+    CHECK(other.counters().frames == seen);
+  }
+}
+
 TEST_CASE("if the port's event is lost, a method that finds the newest frame old reads what waits, and all goes on") {
   Listening board;
   for (unsigned number = 0; number < 3; number++) {
