@@ -49,21 +49,32 @@ class ListeningPort : public Port {
   bool tellsIdle() const { return _uart != nullptr; }
 #endif
   // Returns true if the port has just called because half of its ring was full, and no method runs.
-  bool isAtHalf() const { return _uart != nullptr && !wasIdle() && !_isBusy; }
+  bool isAtHalf() const { return _uart != nullptr && _uart->rx_index % HalfRing == 0 && !_isBusy; }
   // Lets the port call again though nothing was read, as a read of no bytes does (stm32l0_uart.c:1171).
   void callAgain() {
-    noteFound();
+    wasIdle();
     _uart->rx_event = true;
   }
   // Returns how many bytes wait.
   unsigned waiting() const { return static_cast<unsigned>(_uart->rx_count); }
   // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its
   // ring, and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong
-  // (:529). Where no call has found the half before, masked interrupts may have delayed it: that proves nothing.
-  __attribute__((always_inline)) bool wasIdle() const { return _uart != nullptr && wasIdle(_uart->rx_index); }
+  // (:529). Where no call has found the half before, masked interrupts may have delayed it: that proves nothing. Call it
+  // whenever bytes are found.
+  __attribute__((noinline)) bool wasIdle() {
+    if (_uart == nullptr) {
+      return false;
+    }
+    const unsigned at = _uart->rx_index;
+    if (at != _foundAt) {
+      _foundIdle = at % HalfRing != 0 && ((at ^ _foundAt) & HalfRing) == 0;
+      _foundAt = static_cast<uint8_t>(at);
+    }
+    return _foundIdle;
+  }
   // Returns true if it was idle after the newest byte that was read.
-  bool isIdle() const {
-    if (_uart == nullptr || !wasIdle()) {
+  bool isIdle() {
+    if (!wasIdle()) {
       return false;
     }
     barrier();  // an interrupt may hand over more: it changes rx_index first
@@ -77,6 +88,7 @@ class ListeningPort : public Port {
   bool start(void (Object::*method)(), Object *object) {
     if (_set != nullptr) {
       _uart = _set(stream(), Callback(method, object));
+      wasIdle();  // begin() has restarted the ring
     }
     return callsBack();
   }
@@ -103,7 +115,6 @@ class ListeningPort : public Port {
   uint8_t polls() const { return _polls; }
   // Returns true if enter() has returned false meanwhile: bytes have come.
   bool leave() {
-    noteFound();
     barrier();
     _isBusy = false;
     barrier();
@@ -139,18 +150,6 @@ class ListeningPort : public Port {
     return uartOf(static_cast<Class &>(port));
   }
 
-  // Returns what wasIdle() does if the port has handed over up to this place of its ring.
-  __attribute__((always_inline)) bool wasIdle(unsigned at) const {
-    return at == _foundAt ? _foundIdle : at % HalfRing != 0 && ((at ^ _foundAt) & HalfRing) == 0;
-  }
-  // Notes how far the port has handed over: at the end of each call.
-  void noteFound() {
-    if (_uart != nullptr) {
-      const unsigned at = _uart->rx_index;
-      _foundIdle = wasIdle(at);
-      _foundAt = static_cast<uint8_t>(at);
-    }
-  }
 
   Set *const _set;  // null: the port cannot call back
   State *_uart = nullptr;  // null: the port does not tell when its line was idle

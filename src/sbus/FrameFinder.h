@@ -156,12 +156,8 @@ class FrameFinderOf : private Events {
       gapBefore(Silence::Gap);
       return nullptr;
     }
-    if (_variant == UnknownVariant && _buffer.filled() >= Size && !_sizeCheck.isRepeated()) {
-      _sizeCheck.gap(_buffer.filled(), true);
-      likelyGap();
-      return nullptr;
-    }
-    return acceptAfterSilence(Silence::Gap);
+    const bool isProof = _variant != UnknownVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
+    return acceptAfterSilence(isProof ? Silence::Gap : Silence::Likely);
   }
 
   /// Returns true if the `waiting` bytes need not be read yet: they complete no frame, and no silence shows before
