@@ -4,7 +4,7 @@
 
 #include "DecodeSBus.h"
 
-#if !defined(SERIAL_SBUS)
+#if !defined(SBUS_STM32L0)
 #include "port/Ticker.h"
 #if !defined(SBUS_TICKER)
 #error "DecodeSBusBackground knows no timer of this core. Poll a DecodeSBus in loop(): extras/docs/interrupts.md"

@@ -7,7 +7,7 @@
 
 #include "Ppm.h"
 
-#if defined(SERIAL_SBUS) && defined(TIM7)
+#if defined(ARDUINO_ARCH_stm32l0) && defined(TIM7)
 #include <stm32l0_timer.h>
 #elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED)
 #include <hardware/timer.h>
@@ -70,7 +70,7 @@ inline void makeEdge() {
   digitalWrite(Pin, nextLevel() ? HIGH : LOW);
 }
 
-#if defined(SERIAL_SBUS) && defined(TIM7)
+#if defined(ARDUINO_ARCH_stm32l0) && defined(TIM7)
 
 // Timer 7 runs on from edge to edge: an interrupt that is late moves its own edge only.
 static stm32l0_timer_t timer;

@@ -7,13 +7,13 @@
 
 #include "../sbus/Link.h"
 #include "Core.h"
-#if defined(SERIAL_SBUS)
+#if defined(SBUS_STM32L0)
 #include "../sbus/SleepClock.h"
 #endif
 
 namespace sbus {
 
-#if defined(SERIAL_SBUS)
+#if defined(SBUS_STM32L0)
 
 // On an STM32L0 micros() is SysTick, which is slow in STM32L0.sleep() and stops in deepsleep(); millis() is the RTC
 // (cores/arduino/delay.c:32, 41; stm32l0_system.c:872, 1660, 1733). The core tells before it sleeps (:1631), and only
@@ -25,13 +25,14 @@ class Clock {
     _sleeps.reset();
     tell(sleeps);
   }
-  void stop() { tell(nullptr); }
-  // The core must not call an object that is gone.
-  ~Clock() {
+  // Told twice, core 0.0.10 would add the object to its list (its stm32l0_system.c:1381).
+  void stop() {
     if (_notice.callback != nullptr) {
-      stop();
+      tell(nullptr);
+      _notice.callback = nullptr;
     }
   }
+  ~Clock() { stop(); }  // the core must not call an object that is gone
 
   // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
   // the frame before: SleepClock::hasSlept(). `time` is earlier than micros(), so it is asked for first.

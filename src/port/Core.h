@@ -7,9 +7,10 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#if defined(SERIAL_SBUS)   // STM32L0
+#if defined(ARDUINO_ARCH_stm32l0)  // ArduinoCore-stm32l0 0.0.9 and later; ArduinoCore-stm32wb also has SERIAL_SBUS
+#define SBUS_STM32L0
 #include <stm32l0_system.h>  // what the core tells before it sleeps
-#include <stm32l0_uart.h>    // the option bits that SERIAL_SBUS consists of, and the registers; Arduino.h lacks them
+#include <stm32l0_uart.h>    // the option bits, and the registers; Arduino.h lacks them
 #elif defined(__AVR__)
 #define SBUS_AVR
 #elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
@@ -71,8 +72,8 @@ constexpr auto Uninverted = SERIAL_8E2;
 constexpr uint32_t InvertedBit = 0x80000000;
 
 /// The format that begin() opens a port with: inverted, if the port can invert.
-#if defined(SERIAL_SBUS)  // STM32L0
-constexpr uint32_t Inverted = SERIAL_SBUS;
+#if defined(SBUS_STM32L0)
+constexpr uint32_t Inverted = SERIAL_8E2 | STM32L0_UART_OPTION_RX_INVERT | STM32L0_UART_OPTION_TX_INVERT;
 #elif defined(SERIAL_8E2_RXINV_TXINV)  // Teensy
 constexpr uint32_t Inverted = SERIAL_8E2_RXINV_TXINV;
 #elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy 3.2

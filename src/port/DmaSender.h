@@ -10,7 +10,7 @@
 
 #include "Core.h"
 
-#if defined(SERIAL_SBUS) && defined(DMA1_Channel2)
+#if defined(SBUS_STM32L0) && defined(DMA1_Channel2)
 #define SBUS_DMA_SENDER
 
 namespace sbus {

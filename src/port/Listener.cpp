@@ -1,6 +1,6 @@
 #include "Listener.h"
 
-#if defined(SERIAL_SBUS)
+#if defined(SBUS_STM32L0)
 
 namespace sbus {
 

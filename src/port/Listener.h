@@ -10,7 +10,7 @@
 
 namespace sbus {
 
-#if defined(SERIAL_SBUS)  // STM32L0
+#if defined(SBUS_STM32L0)
 
 // Returns the core's state of a port, which its class keeps to itself.
 stm32l0_uart_t *uartOf(Uart &port);

@@ -66,7 +66,7 @@ inline FrameEnd frameEndOfCallback(ReceiveNotice notice, unsigned found, uint32_
   return {latest - MostHeldUp, latest};
 }
 
-#if defined(SERIAL_SBUS)  // stm32l0_uart.c:53, 280, 653
+#if defined(SBUS_STM32L0)  // stm32l0_uart.c:53, 280, 653
 template <typename Port>
 auto noticeOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->onReceive(nullptr), ReceiveNotice()) {
   return ReceiveNotice::Dma16;

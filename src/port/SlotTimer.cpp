@@ -2,7 +2,7 @@
 
 #if defined(SBUS_SLOT_TIMER)
 
-#if defined(SERIAL_SBUS)
+#if defined(SBUS_STM32L0)
 #include <stm32l0_timer.h>
 
 #include "DmaSender.h"
@@ -17,7 +17,7 @@ namespace sbus {
 
 namespace {
 
-#if defined(SERIAL_SBUS)
+#if defined(SBUS_STM32L0)
 using Sender = Uart;
 #elif defined(SBUS_RP2040)
 using Sender = SerialUART;
@@ -43,7 +43,7 @@ bool isOf(const void *context) {
 
 }  // namespace
 
-#if defined(SERIAL_SBUS)
+#if defined(SBUS_STM32L0)
 
 namespace {
 

@@ -100,7 +100,7 @@ class FlagLock {
   static volatile bool isLocked;  // defined by the timer that uses it
 };
 
-#if defined(SERIAL_SBUS) && defined(TIM7)
+#if defined(SBUS_STM32L0) && defined(TIM7)
 #define SBUS_SLOT_TIMER
 
 // STM32L0: TIM7, which nothing in the core uses, calls when a slot is due. As on the other cores there is only one

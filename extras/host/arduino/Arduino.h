@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+// By this name the core is known (its boards.txt: build.arch).
+#define ARDUINO_ARCH_stm32l0
+
 #include "HardwareSerial.h"
 #include "PinDescription.h"
 #include "Uart.h"

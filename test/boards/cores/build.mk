@@ -31,7 +31,7 @@ esp8266 := Esp8266 gnu++17
 megaavr := MegaAvr gnu++11
 nrf52 := Nrf52 gnu++11
 pico := Pico gnu++2b
-sam := Sam gnu++11
+sam := Sam gnu++11 -DSERIAL_SBUS=Serial1  # as public sketches define it, and ArduinoCore-stm32wb
 samd := Samd gnu++11
 stm32 := Stm32 gnu++17
 stm32f4 := Stm32 gnu++17 -DSTM32F4
