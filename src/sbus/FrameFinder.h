@@ -296,12 +296,20 @@ class FrameFinderOf : private Events {
     const int filled = _buffer.filled();
     const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
     if (_timing.template foundTooFew<Format>(_found, missing, _counters.period, _sizeCheck.isStretched())) {
-      if (!LineTiming::ClockRuns || static_cast<int>(_found) < missing) {
-        _buffer.markGap(Silence::Likely);
-      } else {
+      if (LineTiming::ClockRuns && static_cast<int>(_found) >= missing) {
         _lossFollows = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
+      } else if (isLateOnly()) {
+        _sizeCheck.stretchedFrame();
+      } else {
+        _buffer.markGap(Silence::Likely);
       }
     }
+  }
+
+  // Returns true if characters that came too late to follow those before them are the rest of the frame that is due: its
+  // sender stretches frames, and the rest of another frame would come a period later.
+  bool isLateOnly() const {
+    return LineTiming::ClockRuns && _sizeCheck.isStretched() && isDue() && isInTime(_timing.lastPoll(), 0);
   }
 
   // Drops the incoming frame, because the port has lost bytes after it.
