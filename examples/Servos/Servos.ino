@@ -21,6 +21,8 @@
 #include <sbus/Scaling.h>
 #if defined(SERIAL_SBUS)
 #include "GrasshopperServo.h"  // the STM32L0 core has no Servo library
+#elif SBUS_TAKES_TIMER
+#include "TimerServo.h"  // the library's interrupt is too long: frames would be missed
 #elif defined(ESP32)
 #include <ESP32Servo.h>  // No such file? Install the library ESP32Servo from the Library Manager
 #else

@@ -11,6 +11,12 @@
 
 namespace sbus {
 
+#if defined(SBUS_PIN)
+// Returns true if `port` is a SBusPin that has lost characters before those that wait, once for each loss. Null in a
+// sketch without one: 10 bytes of flash.
+__attribute__((weak)) bool pinHasLost(Stream &port);
+#endif
+
 // A serial port of any class.
 class Port : private CoreKind::Pins {
  public:
@@ -51,6 +57,11 @@ class Port : private CoreKind::Pins {
 #endif
       _hardware->end();
     }
+#if defined(SBUS_PIN)
+    if (_hardware == nullptr) {
+      _open(opened(*this), 0, Inverted);  // closes a SBusPin
+    }
+#endif
   }
 
   // Returns how many bytes wait; if bytes may have been lost between them, only those before the loss.
@@ -76,7 +87,14 @@ class Port : private CoreKind::Pins {
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
 
   // Returns true if bytes may have been lost before the `waiting` ones.
-  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + Late > 2u * _half; }
+  bool mayHaveLostOldest(unsigned waiting) const {
+#if defined(SBUS_PIN)
+    if (pinHasLost != nullptr && pinHasLost(_stream)) {
+      return true;
+    }
+#endif
+    return !losesNewest() && waiting + Late > 2u * _half;
+  }
 
   // Returns for how many characters the port waits for more before it hands over less than a burst, or seems to wait,
   // as the clock counts.
