@@ -71,7 +71,12 @@ class SBusPin : public Stream {
   /// @endcond
 
  private:
+  void decode();
+  void take(uint8_t head);
+  void setTail(uint8_t tail);
+
   sbus::EdgeDecoder _decoder;
+  uint8_t _tail = 0;  // place of the oldest edge that has not been decoded
 };
 
 #endif

@@ -1,19 +1,18 @@
-#include "../SBusPin.h"
+#include "Core.h"
 
 #if defined(SBUS_PIN)
 
 #include <avr/interrupt.h>
 #include <util/atomic.h>
 
+#include "../SBusPin.h"
 #include "Port.h"
 
 // What the interrupt writes.
 extern "C" {
 volatile uint8_t sbusPinEdges[256];
-volatile uint8_t sbusPinHead;  // the next edge goes there,
-volatile uint8_t sbusPinTail;  // if it is not this one, the oldest that is not yet decoded
+volatile uint8_t sbusPinHead;  // the next edge goes there
 volatile uint16_t sbusPinLast;  // when the newest edge came
-volatile uint8_t sbusPinFull;  // not 0: edges found no room
 }
 
 namespace {
@@ -22,6 +21,12 @@ const SBusPin *isOpen;
 uint8_t controlA, controlB, comparator, digital;  // registers, as they were
 
 constexpr uint8_t Comparator = _BV(ACBG) | _BV(ACI) | _BV(ACIC) | _BV(ACIS1);  // its flag: the output falls
+
+constexpr uint8_t Untouched = 3;  // no two edges in turn are noted so, as the second interrupt comes after the first
+
+uint8_t before(uint8_t place, uint8_t count) {
+  return static_cast<uint8_t>(place - count);
+}
 
 // Waits for the next change of the comparator's output, with both edge detectors. (The output is high while the line is
 // low.)
@@ -52,8 +57,8 @@ bool SBusPin::begin(bool inverted) {
     TCCR1A = 0;
     await();
     TIFR1 = _BV(TOV1);
-    sbusPinHead = sbusPinTail = 0;
-    sbusPinFull = 0;
+    sbusPinHead = 0;
+    setTail(0);
     sbusPinLast = TCNT1;
     TIMSK1 |= _BV(ICIE1);
   }
@@ -73,40 +78,64 @@ void SBusPin::end() {
 }
 
 int SBusPin::available() {
+  if (sbusPinHead != _tail || _decoder.isOpen()) {
+    decode();
+  }
+  return _decoder.available();
+}
+
+void SBusPin::decode() {
   if (isOpen != this) {
-    return 0;
+    return;
   }
   for (;;) {
-    const uint8_t head = sbusPinHead, tail = sbusPinTail;
-    if (head != tail) {
-      const uint8_t count = static_cast<uint8_t>((head > tail ? head : 0) - tail);
-      _decoder.take(const_cast<const uint8_t *>(sbusPinEdges) + tail, count);
-      sbusPinTail = static_cast<uint8_t>(tail + count);
+    const uint8_t head = sbusPinHead;
+    if (head != _tail) {
+      take(head);
       continue;
     }
     if (!_decoder.isOpen()) {
-      break;
+      return;
     }
     uint16_t since;
     bool isNew;
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
-      const uint16_t now = TCNT1;
-      since = static_cast<uint16_t>(now - sbusPinLast);
-      if ((TIFR1 & _BV(TOV1)) != 0 && now >= sbusPinLast) {
-        since = UINT16_MAX;  // the timer has gone round
-      }
+      const uint16_t now = TCNT1, last = sbusPinLast;
+      const bool isRound = (TIFR1 & _BV(TOV1)) != 0 && now >= last;  // the timer has gone round
+      since = isRound ? UINT16_MAX : static_cast<uint16_t>(now - last);
       isNew = sbusPinHead != head || (TIFR1 & _BV(ICF1)) != 0;
     }
     if (!isNew) {
       _decoder.idle(since);
-      break;
+      return;
     }
   }
-  if (sbusPinFull != 0) {
-    sbusPinFull = 0;
+}
+
+// Takes all edges before `head`. If there were more than the buffer holds, the two places before the oldest have been
+// overwritten, too: then it takes the newest of them.
+void SBusPin::take(uint8_t head) {
+  constexpr uint8_t Coming = 8;  // edges, at most, while this runs
+  const uint8_t *const edges = const_cast<const uint8_t *>(sbusPinEdges);
+  if (edges[before(_tail, 1)] != Untouched || edges[before(_tail, 2)] != Untouched) {
     _decoder.lose();
+    _tail = static_cast<uint8_t>(head + Coming);
   }
-  return _decoder.available();
+  if (head > _tail) {
+    _decoder.take(edges + _tail, static_cast<uint8_t>(head - _tail));
+  } else {
+    _decoder.take(edges + _tail, before(0, _tail));
+    if (head != 0) {
+      _decoder.take(edges, head);
+    }
+  }
+  setTail(head);
+}
+
+void SBusPin::setTail(uint8_t tail) {
+  _tail = tail;
+  sbusPinEdges[before(tail, 1)] = Untouched;
+  sbusPinEdges[before(tail, 2)] = Untouched;
 }
 
 int SBusPin::peek() {
@@ -156,17 +185,13 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       "lds r30, %[last]+1\n"
       "sts %[last]+1, r25\n"
       "sbc r25, r30\n"
-      "brcs 6f\n"
       "sbic %[tifr], %[tov]\n"
       "rjmp 7f\n"
       "1: tst r25\n"
-      "brne 8f\n"
+      "brne 6f\n"
       "2: lds r30, %[head]\n"
       "mov r25, r30\n"
       "inc r25\n"
-      "lds r31, %[tail]\n"
-      "cp r25, r31\n"
-      "breq 9f\n"
       "sts %[head], r25\n"
       "ldi r31, 0\n"
       "subi r30, lo8(-(%[edges]))\n"
@@ -179,30 +204,27 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       "out %[sreg], r24\n"
       "pop r24\n"
       "reti\n"
-      // Earlier than the edge before: the timer has gone round, or another library has set it back.
-      "6: sbis %[tifr], %[tov]\n"
-      "rjmp 54f\n"
-      "ldi r30, %[tovf]\n"
-      "out %[tifr], r30\n"
-      "rjmp 1b\n"
-      // Later, but the timer has gone round: after this edge, or between the two.
-      "7: lds r31, %[tcnt]\n"
+      // 128 us or more after the edge before; or earlier, as another library has set the timer back.
+      "6: brcs 54f\n"
+      "ldi r24, %[longfall]\n"
+      "lds r30, %[tccr]\n"
+      "sbrc r30, %[ices1]\n"
+      "ldi r24, %[longrise]\n"
+      "rjmp 2b\n"
+      // The timer has gone round: before this edge, after it, or once more than the times tell.
+      "7: brcs 71f\n"
+      "lds r31, %[tcnt]\n"
       "lds r30, %[last]\n"
       "cp r31, r30\n"
       "lds r31, %[tcnt]+1\n"
       "lds r30, %[last]+1\n"
       "cpc r31, r30\n"
-      "brlo 1b\n"
-      "ldi r30, %[tovf]\n"
+      "brlo 72f\n"
+      "ldi r25, 1\n"
+      "71: ldi r30, %[tovf]\n"
       "out %[tifr], r30\n"
-      "8: ldi r24, %[longfall]\n"
-      "lds r30, %[tccr]\n"
-      "sbrc r30, %[ices1]\n"
-      "ldi r24, %[longrise]\n"
-      "rjmp 2b\n"
-      "9: ldi r30, 1\n"
-      "sts %[full], r30\n"
-      "rjmp 3b\n"
+      "72: clc\n"
+      "rjmp 1b\n"
       // The flag stands: awaits the next change of the level that the line has now.
       "5: push r26\n"
       "in r30, %[acsr]\n"
@@ -246,7 +268,7 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       [rise] "M"(Comparator | _BV(ACIS0)), [tov] "I"(TOV1), [tovf] "M"(_BV(TOV1)), [icf] "M"(_BV(ICF1)),
       [flags] "M"(_BV(ICF1) | _BV(TOV1)), [shortest] "M"(sbus::EdgeDecoder::Shortest), [missed] "M"(sbus::edge::Missed), [longfall] "M"(sbus::edge::LongFall),
       [longrise] "M"(sbus::edge::LongRise), [last] "i"(&sbusPinLast), [head] "i"(&sbusPinHead),
-      [tail] "i"(&sbusPinTail), [full] "i"(&sbusPinFull), [edges] "i"(sbusPinEdges));
+      [edges] "i"(sbusPinEdges));
 }
 
 #endif
