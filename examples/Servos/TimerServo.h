@@ -37,28 +37,41 @@ class Servo {
     return true;
   }
 
-  // Called by the timer's interrupt, Ahead before an edge is due, and with interrupts on: makes it in time, and arms the
-  // next. Interrupts are off for the last 3 us only, as an edge of S.Bus may wait for 8 us.
+  // Called by the timer's interrupt, Ahead before an edge is due, with interrupts on: makes the edge in time. Of the
+  // other interrupts only the SBusPin's may come meanwhile, and none within the last 5 us: an edge of S.Bus can wait for
+  // 7 us. An edge that is late all the same moves the next one, too, so that no pulse is short.
   static void elapsed() {
     Servo *const ends = current < count ? servos[current] : nullptr;
-    const uint8_t next = static_cast<uint8_t>(ends != nullptr ? current + 1 : 0);
-    Servo *const begins = next < count ? servos[next] : nullptr;
-    const uint8_t low = ends != nullptr ? static_cast<uint8_t>(~ends->_mask) : 0, high = begins != nullptr ? begins->_mask : 0;
-    while (!isNear()) {
+    current = static_cast<uint8_t>(ends != nullptr ? current + 1 : 0);
+    Servo *const begins = current < count ? servos[current] : nullptr;
+    volatile uint8_t none;
+    volatile uint8_t *const low = ends != nullptr ? ends->_port : &none;
+    volatile uint8_t *const high = begins != nullptr ? begins->_port : &none;
+    const uint8_t lowMask = static_cast<uint8_t>(~(ends != nullptr ? ends->_mask : 0));
+    const uint8_t highMask = begins != nullptr ? begins->_mask : 0;
+    noInterrupts();
+    const uint8_t timer = TIMSK0, serial = UCSR0B;
+    TIMSK0 = 0;
+    UCSR0B = static_cast<uint8_t>(serial & ~(_BV(RXCIE0) | _BV(UDRIE0)));
+    while (left() > Quiet) {
+      interrupts();
+      __asm__ __volatile__("nop\n nop\n");  // an instruction runs before any interrupt
+      noInterrupts();
     }
-    while (isBefore(0)) {
+    while (left() > 0) {
     }
-    if (ends != nullptr) {
-      *ends->_port &= low;
-    }
-    if (begins != nullptr) {
-      *begins->_port |= high;
-      arm(static_cast<uint16_t>(TCNT1 + begins->_ticks));
-    } else {
+    *low &= lowMask;
+    *high |= highMask;
+    const uint16_t now = TCNT1;
+    interrupts();
+    const uint16_t start = static_cast<uint16_t>(now - due) < Late ? due : now;
+    if (begins == nullptr) {
       round = static_cast<uint16_t>(round + Period);
-      arm(round);
     }
-    current = next;
+    noInterrupts();
+    arm(begins != nullptr ? static_cast<uint16_t>(start + begins->_ticks) : round);
+    TIMSK0 = timer;
+    UCSR0B = serial;
     interrupts();
   }
 
@@ -66,23 +79,16 @@ class Servo {
   static constexpr uint8_t Most = 8;
   static constexpr uint8_t TicksPerUs = 2;
   static constexpr uint16_t Period = 20000u * TicksPerUs;
-  static constexpr uint16_t Ahead = 16 * TicksPerUs;  // longer than the other interrupts that may come just then
-  static constexpr uint16_t Near = 3 * TicksPerUs;
+  static constexpr uint16_t Ahead = 40 * TicksPerUs;  // longer than the interrupts that may run just then
+  static constexpr int16_t Quiet = 2 * TicksPerUs;
+  static constexpr uint16_t Late = 2 * TicksPerUs;
 
   static void arm(uint16_t time) {
     due = time;
     OCR1A = static_cast<uint16_t>(time - Ahead);
   }
-  static bool isBefore(uint16_t near) { return static_cast<int16_t>(due - TCNT1) > static_cast<int16_t>(near); }
-  // Turns interrupts off if the edge is near.
-  static bool isNear() {
-    noInterrupts();
-    if (isBefore(Near)) {
-      interrupts();
-      return false;
-    }
-    return true;
-  }
+  // Returns the ticks until the edge is due. Interrupts are off.
+  static int16_t left() { return static_cast<int16_t>(due - TCNT1); }
 
   static Servo *servos[Most];
   static uint8_t count;

@@ -75,7 +75,7 @@ class EdgeDecoder {
   // No edge has come since the newest that was taken, `ticks` ago: completes a character whose last bits are like an
   // idle line.
   void idle(uint16_t ticks) {
-    if (ticks > End || ticks + kept() + _carried > End) {
+    if (isOpen() && (ticks > End || ticks + kept() + _carried > End)) {
       finish();
     }
   }

@@ -55,7 +55,7 @@ AvrBoard::AvrBoard(const Model &model, const std::string &sketch, Line line, dou
   }
   load(sketch);
   findUsarts();
-  mendTimer();
+  mendTimers();
   mendComparator();
   on(written(TimerControl), [this](uint32_t value) { _clockZero = (value & TimerClocked) != 0 ? _avr->cycle : 0; });
   for (size_t number = 0; number < None; number++) {
@@ -126,13 +126,18 @@ void AvrBoard::findUsarts() {
 }
 
 // Libsimavr 1.6 clears all flags of TIFRn at a write to it (avr_timer.c, avr_timer_write_pending()), a chip only those
-// that are written as 1.
-void AvrBoard::mendTimer() {
+// that are written as 1. And it forgets an interrupt that is disabled while it waits: enabled again, a chip serves it.
+void AvrBoard::mendTimers() {
   for (avr_io_t *io = _avr->io_port; io != nullptr; io = io->next) {
     avr_timer_t *const timer = reinterpret_cast<avr_timer_t *>(io);
-    if (std::strcmp(io->kind, "timer") != 0 || timer->name != '1') {
+    if (std::strcmp(io->kind, "timer") != 0 || timer->name > '1') {
       continue;
     }
+    on(written(timer->overflow.enable.reg), [this, timer](uint32_t) {
+      if (avr_regbit_get(_avr, timer->overflow.enable) != 0 && avr_regbit_get(_avr, timer->overflow.raised) != 0) {
+        avr_raise_interrupt(_avr, &timer->overflow);
+      }
+    });
     auto &write = _avr->io[AVR_DATA_TO_IO(timer->overflow.raised.reg)].w;
     write.param = timer;
     write.c = [](avr_t *avr, avr_io_addr_t, uint8_t value, void *param) {

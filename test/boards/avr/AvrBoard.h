@@ -129,7 +129,7 @@ class AvrBoard {
   void run(double seconds);
   void load(const std::string &sketch);
   void findUsarts();
-  void mendTimer();
+  void mendTimers();
   void mendComparator();
   void compare(uint8_t control);
   void setLine(bool isHigh);
