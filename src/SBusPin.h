@@ -51,8 +51,8 @@ class SBusPin : public Stream {
 
   /// @cond  For the classes of this library.
 
-  // Returns true if characters were lost before those that wait, once for each loss.
-  bool takeLoss() { return _decoder.takeLoss(); }
+  // The decoder, which Port reads.
+  sbus::EdgeDecoder &decoder() { return _decoder; }
 
   // The kind of port, for PortKind.h.
   struct PortKind : sbus::Kind {
@@ -75,8 +75,8 @@ class SBusPin : public Stream {
   void take(uint8_t head);
   void setTail(uint8_t tail);
 
-  sbus::EdgeDecoder _decoder;
   uint8_t _tail = 0;  // place of the oldest edge that has not been decoded
+  sbus::EdgeDecoder _decoder;
 };
 
 #endif

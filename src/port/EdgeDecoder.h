@@ -2,6 +2,7 @@
 /// Makes the characters of an S.Bus line from the times between its edges.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "../sbus/Text.h"
@@ -43,25 +44,28 @@ class EdgeDecoder {
     do {
       const uint8_t ticks = *edges++;
       const uint8_t now = static_cast<uint8_t>(time + ticks);
-      if (ticks >= Shortest && now >= ticks) {
-        const uint8_t mask = SBUS_IN_FLASH(masks() + now / 2);
-        if (mask != None) {
-          before = time;
-          time = now;
-          bits = static_cast<uint8_t>(bits ^ mask);
-          level = static_cast<uint8_t>(~level);
-          continue;
-        }
+      const uint8_t mask = ticks >= Shortest && now >= ticks ? SBUS_IN_FLASH(masks() + now / 2) : None;
+      if (__builtin_expect(mask != None, true)) {
+        before = time;
+        time = now;
+        bits = static_cast<uint8_t>(bits ^ mask);
+        level = static_cast<uint8_t>(~level);
+      } else if (ticks >= Shortest && time != Closed && level != High && (now < ticks || now > End)) {
+        keep(bits, time > LastBit);  // the next start bit
+        time = 0;
+        bits = 0;
+        level = High;
+      } else {
+        _before = before;
+        _time = time;
+        _bits = bits;
+        _level = level;
+        step(ticks);
+        before = _before;
+        time = _time;
+        bits = _bits;
+        level = _level;
       }
-      _before = before;
-      _time = time;
-      _bits = bits;
-      _level = level;
-      step(ticks);
-      before = _before;
-      time = _time;
-      bits = _bits;
-      level = _level;
     } while (--count != 0);
     _before = before;
     _time = time;
@@ -98,6 +102,15 @@ class EdgeDecoder {
     _count--;
     return character;
   }
+  // Reads up to `size` characters. Returns how many.
+  int read(uint8_t *buffer, size_t size) {
+    uint8_t count = size < _count ? static_cast<uint8_t>(size) : _count;
+    const uint8_t all = count;
+    for (; count != 0; count--) {
+      *buffer++ = read();
+    }
+    return all;
+  }
   // Returns true if characters were lost before those that wait, once for each loss.
   bool takeLoss() {
     const bool isLost = _isLost;
@@ -133,15 +146,7 @@ class EdgeDecoder {
   // Takes an edge that is more than the boundary of a data bit.
   __attribute__((noinline)) void step(uint8_t ticks) {
     if (ticks >= Shortest && _time != Closed) {
-      const uint8_t now = static_cast<uint8_t>(_time + ticks);
-      if (now < ticks || now > End) {
-        finish();
-        if (!_isBroken) {
-          open();
-        }
-      } else {
-        fail();
-      }
+      fail();  // between two bits, or high for longer than a character
     } else if (ticks == edge::Missed) {
       lose();
     } else if (ticks == edge::LongFall || ticks == edge::LongRise) {
@@ -216,26 +221,30 @@ class EdgeDecoder {
     _time = Closed;
   }
 
-  // The character ends: keeps it if its stop bit and its parity are right. If there was an edge before the stop bit, the
-  // parity bit was 0.
+  // The character ends: keeps it if its stop bit is right.
   void finish() {
     if (_level == High) {
       fail();
       return;
     }
-    uint8_t odd = static_cast<uint8_t>(_bits ^ _bits >> 4);
+    keep(_bits, kept() > LastBit);
+    _carried = 0;
+    _time = Closed;
+  }
+
+  // Keeps a character if its parity is right. If an edge came with the stop bit, the parity bit was 0.
+  __attribute__((noinline)) void keep(uint8_t bits, bool isZero) {
+    uint8_t odd = static_cast<uint8_t>(bits ^ bits >> 4);
     odd = static_cast<uint8_t>(odd ^ odd >> 2);
     odd = static_cast<uint8_t>(odd ^ odd >> 1);
-    if ((odd & 1) != (kept() > LastBit)) {
+    if ((odd & 1) != isZero) {
       if (_count == Room) {
         _isLost = true;
         _count = 0;
       }
-      _characters[(_first + _count) % Room] = _bits;
+      _characters[static_cast<uint8_t>(_first + _count) % Room] = bits;
       _count++;
     }
-    _carried = 0;
-    _time = Closed;
   }
 
   uint8_t _start;             // the code of a start bit's edge after an idle line

@@ -12,9 +12,12 @@
 namespace sbus {
 
 #if defined(SBUS_PIN)
-// Returns true if `port` is a SBusPin that has lost characters before those that wait, once for each loss. Null in a
-// sketch without one: 10 bytes of flash.
+// For a SBusPin. Null in a sketch without one.
+
+// Returns true if `port` is one, and has lost characters before those that wait, once for each loss.
 __attribute__((weak)) bool pinHasLost(Stream &port);
+// Reads up to `size` characters. Returns how many; -1 if `port` is none. (25 calls of its read() would take 1600 cycles.)
+__attribute__((weak)) int pinRead(Stream &port, uint8_t *buffer, size_t size);
 #endif
 
 // A serial port of any class.
@@ -183,6 +186,12 @@ class Port : private CoreKind::Pins {
   // Not inlined: that would cost a poll of the STM32L0 24 cycles.
   template <typename Hardware>
   __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Rank<0>) {
+#if defined(SBUS_PIN)
+    const int all = pinRead != nullptr ? pinRead(_stream, buffer, size) : -1;
+    if (all >= 0) {
+      return all;
+    }
+#endif
     size_t count = 0;
     for (int byte; count < size && (byte = _stream.read()) >= 0; count++) {
       buffer[count] = static_cast<uint8_t>(byte);

@@ -92,21 +92,18 @@ void SBusPin::decode() {
     const uint8_t head = sbusPinHead;
     if (head != _tail) {
       take(head);
-      continue;
     }
     if (!_decoder.isOpen()) {
       return;
     }
-    uint16_t since;
-    bool isNew;
-    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
-      const uint16_t now = TCNT1, last = sbusPinLast;
-      const bool isRound = (TIFR1 & _BV(TOV1)) != 0 && now >= last;  // the timer has gone round
-      since = isRound ? UINT16_MAX : static_cast<uint16_t>(now - last);
-      isNew = sbusPinHead != head || (TIFR1 & _BV(ICF1)) != 0;
-    }
+    const uint8_t state = SREG;
+    cli();
+    const uint16_t now = TCNT1, last = sbusPinLast;
+    const bool isRound = (TIFR1 & _BV(TOV1)) != 0 && now >= last;  // the timer has gone round
+    const bool isNew = sbusPinHead != head || (TIFR1 & _BV(ICF1)) != 0;
+    SREG = state;
     if (!isNew) {
-      _decoder.idle(since);
+      _decoder.idle(isRound ? UINT16_MAX : static_cast<uint16_t>(now - last));
       return;
     }
   }
@@ -117,16 +114,17 @@ void SBusPin::decode() {
 void SBusPin::take(uint8_t head) {
   constexpr uint8_t Coming = 8;  // edges, at most, while this runs
   const uint8_t *const edges = const_cast<const uint8_t *>(sbusPinEdges);
-  if (edges[before(_tail, 1)] != Untouched || edges[before(_tail, 2)] != Untouched) {
+  uint8_t tail = _tail;
+  if (edges[before(tail, 1)] != Untouched || edges[before(tail, 2)] != Untouched) {
     _decoder.lose();
-    _tail = static_cast<uint8_t>(head + Coming);
+    tail = static_cast<uint8_t>(head + Coming);
   }
-  if (head > _tail) {
-    _decoder.take(edges + _tail, static_cast<uint8_t>(head - _tail));
-  } else {
-    _decoder.take(edges + _tail, before(0, _tail));
-    if (head != 0) {
-      _decoder.take(edges, head);
+  for (;;) {
+    const uint8_t count = static_cast<uint8_t>((head > tail ? head : 0) - tail);
+    _decoder.take(edges + tail, count);
+    tail = static_cast<uint8_t>(tail + count);
+    if (tail == head) {
+      break;
     }
   }
   setTail(head);
@@ -147,7 +145,11 @@ int SBusPin::read() {
 }
 
 bool sbus::pinHasLost(Stream &port) {
-  return &port == isOpen && static_cast<SBusPin &>(port).takeLoss();
+  return &port == isOpen && static_cast<SBusPin &>(port).decoder().takeLoss();
+}
+
+int sbus::pinRead(Stream &port, uint8_t *buffer, size_t size) {
+  return &port == isOpen ? static_cast<SBusPin &>(port).decoder().read(buffer, size) : -1;
 }
 
 #define SBUS_MEMORY(name) _SFR_MEM_ADDR(name)
