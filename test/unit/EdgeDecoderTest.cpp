@@ -178,6 +178,18 @@ TEST_CASE("a wrong parity bit drops the character, and nothing else") {
   CHECK_FALSE(result.isLost);
 }
 
+TEST_CASE("a character without a stop bit is none, even if its parity fits") {
+  for (const double longerUs : {15.0, 25.0, 600.0}) {
+    CAPTURE(longerUs);
+    Wave wave;
+    wave.character(0x07, 10, true);
+    wave.pulse(1100, longerUs);
+    wave.us += 2000;
+    wave.character(0xA3);
+    CHECK(decoded(noted(wave)).characters == Characters{0xA3});
+  }
+}
+
 TEST_CASE("after missed edges nothing counts until the line has idled, what waits is dropped, and the loss is told once") {
   Wave wave;
   wave.character(0x55);
