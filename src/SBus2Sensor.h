@@ -78,7 +78,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
         _stream(port),
         _start(start<Port>),
         _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {
-    static_assert(sbus::KindOf<Port>::Sends, "A SBusPin only receives: extras/docs/boards.md, SBusPin");
+    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
   }
 
   /// See DecodeSBusOf(), with pins.

@@ -18,13 +18,13 @@
 ///     void setup() { dSBus.begin(); }
 ///
 /// The pin belongs to the analog comparator, which compares it with 1.1 V and feeds the capture unit of timer 1. An
-/// interrupt notes when each edge came. If interrupts were off for too long, it knows that it missed edges, and drops the
-/// character: a frame may get lost, but it is never wrong. The decoder's begin() opens the pin, at 100000 baud alone,
-/// inverted or sbus::Uninverted, and its end() gives back timer and comparator. Only one object can be open at a time:
-/// the other receives nothing.
+/// interrupt notes when each edge came. If interrupts were off for too long, it knows that it missed edges, and drops
+/// the character: a frame may get lost, but it is never wrong. The decoder's begin() opens the pin, at 100000 baud
+/// alone, inverted or sbus::Uninverted, and its end() gives back timer and comparator. Only one object can be open at a
+/// time: the other receives nothing.
 ///
-/// While it is open, timer 1 counts from 0 to 65535 in steps of 0.5 us. Its compare units remain usable; analogWrite() on
-/// its pins (Uno: 9, 10) and the library Servo are not: extras/docs/boards.md, "SBusPin".
+/// While it is open, timer 1 counts from 0 to 65535 in steps of 0.5 us. Its compare units remain usable; analogWrite()
+/// on its pins (Uno: 9, 10) and the library Servo are not: extras/docs/boards.md, "SBusPin".
 class SBusPin : public Stream {
  public:
   static constexpr uint8_t Pin = SBUS_PIN;  ///< the board's number of the pin

@@ -21,7 +21,7 @@
 /// Otherwise 0.
 
 /// @def SBUS_TAKES_TIMER
-/// 1 if SBUS_UART is a SBusPin, which takes timer 1: the library Servo does not work beside it. Otherwise 0.
+/// 1 if SBUS_UART is an SBusPin, which takes timer 1: the library Servo does not work beside it. Otherwise 0.
 
 #include "port/Core.h"
 

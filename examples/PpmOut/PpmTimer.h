@@ -42,7 +42,8 @@ inline void prepare() {
   TCCR1A = static_cast<uint8_t>(nextLevel() ? _BV(COM1A1) | _BV(COM1A0) : _BV(COM1A1));
 }
 
-// The timer may also capture an S.Bus line (SBusPin), whose interrupt would come between the two bytes of its registers.
+// The timer may also capture an S.Bus line (SBusPin), whose interrupt would come between the two bytes of its
+// registers.
 inline void start() {
   noInterrupts();
   TCCR1B = static_cast<uint8_t>((TCCR1B & _BV(ICES1)) | _BV(CS11));

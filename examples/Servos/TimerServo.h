@@ -1,6 +1,6 @@
-// Class Servo for a board that receives on a SBusPin, like Arduino's library of that name, whose interrupt takes so long
-// that frames are missed: up to eight servos, one pulse after the other, every 20 ms, by compare unit A of timer 1. The
-// SBusPin must be open, as it starts the timer.
+// Class Servo for a board that receives on an SBusPin, like Arduino's library of that name, whose interrupt takes so
+// long that frames are missed: up to eight servos, one pulse after the other, every 20 ms, by compare unit A of timer
+// 1. The SBusPin must be open, as it starts the timer.
 #pragma once
 
 #include <Arduino.h>
@@ -38,8 +38,8 @@ class Servo {
   }
 
   // Called by the timer's interrupt, Ahead before an edge is due, with interrupts on: makes the edge in time. Of the
-  // other interrupts only the SBusPin's may come meanwhile, and none within the last 5 us: an edge of S.Bus can wait for
-  // 7 us. An edge that is late all the same moves the next one, too, so that no pulse is short.
+  // other interrupts only the SBusPin's may come meanwhile, and none within the last 5 us: an edge of S.Bus can wait
+  // for 7 us. An edge that is late all the same moves the next one, too, so that no pulse is short.
   static void elapsed() {
     Servo *const ends = current < count ? servos[current] : nullptr;
     current = static_cast<uint8_t>(ends != nullptr ? current + 1 : 0);

@@ -127,8 +127,8 @@ class EdgeDecoder {
   static constexpr uint8_t None = 1;                     // mask of an edge between two bits, or after the end
   static constexpr uint8_t High = 0xFF;                  // level: like a start bit
 
-  // Returns, for every two ticks, which data bits an edge at this time changes: the one that begins there, and all after
-  // it; from 4 us before each boundary on.
+  // Returns, for every two ticks, which data bits an edge at this time changes: the one that begins there, and all
+  // after it; from 4 us before each boundary on.
   static const uint8_t *masks() {
 #define SBUS_BOUNDARY(mask) None, mask, mask, mask, mask, mask, mask, mask, mask, mask
     static const uint8_t Masks[128] SBUS_FLASH = {

@@ -12,11 +12,12 @@
 namespace sbus {
 
 #if defined(SBUS_PIN)
-// For a SBusPin. Null in a sketch without one.
+// For an SBusPin. Null in a sketch without one.
 
 // Returns true if `port` is one, and has lost characters before those that wait, once for each loss.
 __attribute__((weak)) bool pinHasLost(Stream &port);
-// Reads up to `size` characters. Returns how many; -1 if `port` is none. (25 calls of its read() would take 1600 cycles.)
+// Reads up to `size` characters. Returns how many; -1 if `port` is none. (25 calls of its read() would take 1600
+// cycles.)
 __attribute__((weak)) int pinRead(Stream &port, uint8_t *buffer, size_t size);
 #endif
 
@@ -62,7 +63,7 @@ class Port : private CoreKind::Pins {
     }
 #if defined(SBUS_PIN)
     if (_hardware == nullptr) {
-      _open(opened(*this), 0, Inverted);  // closes a SBusPin
+      _open(opened(*this), 0, Inverted);  // closes an SBusPin
     }
 #endif
   }

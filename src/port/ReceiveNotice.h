@@ -87,7 +87,7 @@ template <typename Port>
 auto noticeOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->setInvertRX(true), ReceiveNotice()) {
   return ReceiveNotice::Fifo;
 }
-// A SBusPin shows a character from its first stop bit on.
+// An SBusPin shows a character from its first stop bit on.
 template <typename Port>
 auto noticeOf(Port *, Stream *, Rank<1>) -> decltype(typename Port::PortKind(), ReceiveNotice()) {
   return ReceiveNotice::EachCharacter;

@@ -154,13 +154,13 @@ int sbus::pinRead(Stream &port, uint8_t *buffer, size_t size) {
 
 #define SBUS_MEMORY(name) _SFR_MEM_ADDR(name)
 
-// Notes the edge that the capture unit has seen. Until the unit waits for the opposite one, 28 cycles after this begins, it
-// sees none: an edge comes after 160 cycles at the earliest, and the core's other interrupts take some 100. A compiler's
-// interrupt switches after 43 cycles, and loses 4 % of the frames.
+// Notes the edge that the capture unit has seen. Until the unit waits for the opposite one, 28 cycles after this
+// begins, it sees none: an edge comes after 160 cycles at the earliest, and the core's other interrupts take some 100.
+// A compiler's interrupt switches after 43 cycles, and loses 4 % of the frames.
 //
-// The comparator has an edge detector of its own, whose flag stands for the edge that the unit does not wait for. So the
-// flag stands here only if edges were missed, or if the line has changed back before the unit was switched: a spike, if
-// that took less than 4 us in all.
+// The comparator has an edge detector of its own, whose flag stands for the edge that the unit does not wait for. So
+// the flag stands here only if edges were missed, or if the line has changed back before the unit was switched: a
+// spike, if that took less than 4 us in all.
 ISR(TIMER1_CAPT_vect, ISR_NAKED) {
   asm volatile(
       "push r24\n"
@@ -268,7 +268,8 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       [acsr] "I"(_SFR_IO_ADDR(ACSR)), [tifr] "I"(_SFR_IO_ADDR(TIFR1)), [ices] "M"(_BV(ICES1)), [ices1] "I"(ICES1),
       [aci] "I"(ACI), [aco] "I"(ACO), [turn] "M"(_BV(ACI) | _BV(ACIS0)), [fall] "M"(Comparator),
       [rise] "M"(Comparator | _BV(ACIS0)), [tov] "I"(TOV1), [tovf] "M"(_BV(TOV1)), [icf] "M"(_BV(ICF1)),
-      [flags] "M"(_BV(ICF1) | _BV(TOV1)), [shortest] "M"(sbus::EdgeDecoder::Shortest), [missed] "M"(sbus::edge::Missed), [longfall] "M"(sbus::edge::LongFall),
+      [flags] "M"(_BV(ICF1) | _BV(TOV1)), [shortest] "M"(sbus::EdgeDecoder::Shortest), [missed] "M"(sbus::edge::Missed),
+      [longfall] "M"(sbus::edge::LongFall),
       [longrise] "M"(sbus::edge::LongRise), [last] "i"(&sbusPinLast), [head] "i"(&sbusPinHead),
       [edges] "i"(sbusPinEdges));
 }

@@ -190,7 +190,7 @@ TEST_CASE("a character without a stop bit is none, even if its parity fits") {
   }
 }
 
-TEST_CASE("after missed edges nothing counts until the line has idled, what waits is dropped, and the loss is told once") {
+TEST_CASE("after missed edges nothing counts until the line has idled, and what waits is dropped; the loss is told") {
   Wave wave;
   wave.character(0x55);
   wave.character(0x0F);

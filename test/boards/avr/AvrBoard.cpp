@@ -182,7 +182,7 @@ void AvrBoard::compare(uint8_t control) {
   const bool wasOpen = _isOpen;
   _isOpen = (control & Captures) != 0;
   if (_isOpen && !wasOpen) {
-    avr_raise_irq(_comparator->timer_irq, _isHigh ? 1 : 0);  // the timer knows what it is; libsimavr's only after a change
+    avr_raise_irq(_comparator->timer_irq, _isHigh ? 1 : 0);  // libsimavr's timer knows it only after a change
     open();
   }
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
-constexpr double UnoTolerance = 4;       // of the example's own servos, beside a SBusPin
+constexpr double UnoTolerance = 4;       // of the example's own servos, beside an SBusPin
 
 // Returns all that it prints.
 std::string textOf(const AvrBoard &board) {

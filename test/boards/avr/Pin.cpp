@@ -1,6 +1,6 @@
-// A sketch that receives on a SBusPin, and checks each frame: channel i is channel 0 plus 37 i. (No .ino, as
-// Background.cpp.) The EEPROM begins with numbers of 16 bits: for how long interrupts are off, at least and at most, us;
-// in one of how many loops; delay() in each loop, ms. Prints five times a second
+// A sketch that receives on an SBusPin, and checks each frame: channel i is channel 0 plus 37 i. (No .ino, as
+// Background.cpp.) The EEPROM begins with numbers of 16 bits: for how long interrupts are off, at least and at most,
+// us; in one of how many loops; delay() in each loop, ms. Prints five times a second
 //   frames,wrong,overflows  since the beginning
 // and in between lines of 40 characters, 50 a second.
 

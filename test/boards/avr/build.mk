@@ -20,7 +20,7 @@ leonardo := atmega32u4 LEONARDO leonardo -DUSBCON -DUSB_VID=0x2341 -DUSB_PID=0x8
 uno := atmega328p UNO standard
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
 reason = $(strip $(if $(filter leonardo-PwmIn uno-PwmIn,$1-$2),needs four pins with interrupts) \
-  $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),A SBusPin only receives))
+  $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),An SBusPin only receives))
 # Busy and Masked have a timer 2.
 ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background InterruptsOff,Pin PinBackground))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
