@@ -22,7 +22,9 @@ class EncodeSBusOf {
   /// Remembers `port`, and opens nothing yet: a hardware serial port, or any other Stream, which the sketch opens.
   /// `port` must outlive the object.
   template <typename Port>
-  explicit EncodeSBusOf(Port &port) : _port(port) {}
+  explicit EncodeSBusOf(Port &port) : _port(port) {
+    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
+  }
 
   /// Remembers `port` and its pins, on an ESP32 or ESP8266 (see DecodeSBusOf()).
   template <typename Port>

@@ -77,7 +77,9 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
       : Decoder(port),
         _stream(port),
         _start(start<Port>),
-        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {}
+        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {
+    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
+  }
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>

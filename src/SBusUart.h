@@ -16,9 +16,14 @@
 /// Four pins that SBUS_UART leaves free. To choose others, define it before this header.
 
 /// @def SBUS_TAKES_USB
-/// 1 if SBUS_UART is also the port that Serial prints on: an Uno cannot both print and receive.
+/// 1 if SBUS_UART is also the port that Serial prints on: an ESP8266 cannot both print and receive.
 /// Then this header rejects the sketch, unless the sketch has defined SBUS_MAY_TAKE_USB before; it must then not print.
 /// Otherwise 0.
+
+/// @def SBUS_TAKES_TIMER
+/// 1 if SBUS_UART is an SBusPin, which takes timer 1: the library Servo does not work beside it. Otherwise 0.
+
+#include "port/Core.h"
 
 #if !defined(SBUS_UART)
 #if defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || \
@@ -52,6 +57,11 @@
 #define SBUS_UART Serial1
 #endif
 
+#elif defined(SBUS_PIN) && !defined(HAVE_HWSERIAL1)  // Uno R3, Nano, Pro Mini: the only port prints
+#include "SBusPin.h"
+#define SBUS_UART sbus::Shared<SBusPin>::port
+#define SBUS_TAKES_TIMER 1
+
 // AVR, Nano Every and STM32duino say which ports exist; for DxCore and megaTinyCore the chip does (USART1).
 #elif defined(NRF52832_XXAA) || \
     (defined(ARDUINO_ARCH_AVR) || defined(ARDUINO_ARCH_MEGAAVR)) && !defined(HAVE_HWSERIAL1) && !defined(USART1)
@@ -69,6 +79,10 @@
 #else
 #define SBUS_UART Serial1
 #endif
+#endif
+
+#if !defined(SBUS_TAKES_TIMER)
+#define SBUS_TAKES_TIMER 0
 #endif
 
 #if !defined(SBUS_TAKES_USB)
@@ -102,6 +116,18 @@
 #endif
 
 namespace sbus {
+
+/// @cond  For SBUS_UART.
+
+// One object of a class of ports, for all files of a sketch. A sketch that does not use it has none.
+template <typename Port>
+struct Shared {
+  static Port port;
+};
+template <typename Port>
+Port Shared<Port>::port;
+
+/// @endcond
 
 /// Returns the port of SBUS_UART, without the pins.
 template <typename Port, typename... Pins>

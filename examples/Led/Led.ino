@@ -1,8 +1,8 @@
 /*
-  Led: the board's LED shows the link and obeys CH5. It prints nothing, so it runs on boards with one port: Uno R3,
-  Nano, ESP8266.
+  Led: the board's LED shows the link and obeys CH5. It prints nothing, so it also runs on boards with one port, such as
+  an ESP8266.
 
-  Wiring (Uno R3, Nano): S.Bus -> inverter -> 0, +5V -> 5V, GND -> GND. Disconnect pin 0 while you upload.
+  Wiring (Uno R3, Nano): S.Bus -> 7, +5V -> 5V, GND -> GND.
     Inverters: extras/docs/wiring.md. All boards: extras/docs/boards.md
 
   The LED

@@ -2,7 +2,7 @@
   PpmOut: eight channels of S.Bus as a PPM sum signal, for the trainer port of a radio or an old flight controller.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
-    D2 (Mega: 11, Leonardo: 9) -> 1 kOhm -> the PPM input, GND -> its GND
+    D2 (Mega: 11; Leonardo, Uno, Nano: 9) -> 1 kOhm -> the PPM input, GND -> its GND
 
   A frame of CH1..CH8 comes every 22.5 ms: nine pulses of 0.3 ms, 0.8 to 2.2 ms from one to the next, then at least 4.6
   ms without a pulse. In failsafe, and when no frame has come for 100 ms, there are no pulses at all: only this tells

@@ -42,19 +42,24 @@ inline void prepare() {
   TCCR1A = static_cast<uint8_t>(nextLevel() ? _BV(COM1A1) | _BV(COM1A0) : _BV(COM1A1));
 }
 
+// The timer may also capture an S.Bus line (SBusPin), whose interrupt would come between the two bytes of its
+// registers.
 inline void start() {
-  TIMSK1 = 0;
-  TCCR1B = _BV(CS11);
+  noInterrupts();
+  TCCR1B = static_cast<uint8_t>((TCCR1B & _BV(ICES1)) | _BV(CS11));
   prepare();
   TCCR1C = _BV(FOC1A);  // at once
-  pinMode(Pin, OUTPUT);
   OCR1A = static_cast<uint16_t>(TCNT1 + next.us * TicksPerUs);
   TIFR1 = _BV(OCF1A);
-  TIMSK1 = _BV(OCIE1A);
+  TIMSK1 |= _BV(OCIE1A);
+  interrupts();
+  pinMode(Pin, OUTPUT);
 }
 
 inline void elapsed() {
+  noInterrupts();
   OCR1A = static_cast<uint16_t>(OCR1A + next.us * TicksPerUs);
+  interrupts();
   next = source->next();
   prepare();
 }
@@ -180,7 +185,7 @@ inline void begin(Ppm &ppm, bool inverted) {
 }  // namespace ppmTimer
 
 #if defined(__AVR__) && defined(COM1A1)
-ISR(TIMER1_COMPA_vect) {
+ISR(TIMER1_COMPA_vect, ISR_NOBLOCK) {  // the next one comes 0.3 ms later
   ppmTimer::elapsed();
 }
 #endif

@@ -25,8 +25,8 @@
 #endif
 
 EncodeSBus eSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
-#if defined(__AVR_ATmega32U4__)
-#error "PwmIn needs four pins with interrupts; this board has three: extras/docs/examples.md names other boards"
+#if defined(__AVR_ATmega32U4__) || defined(__AVR_ATmega328P__) || defined(__AVR_ATmega168__)
+#error "PwmIn needs four pins with interrupts; this board has fewer: extras/docs/examples.md names other boards"
 #endif
 #if defined(__AVR_ATmega2560__)
 const uint8_t PINS[] = {2, 3, 20, 21};

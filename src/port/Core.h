@@ -13,6 +13,17 @@
 #include <stm32l0_uart.h>    // the option bits, and the registers; Arduino.h lacks them
 #elif defined(__AVR__)
 #define SBUS_AVR
+// The pin of the analog comparator that can capture a line (SBusPin.h): AIN1, beside timer 1. A 32U4 has none.
+#if F_CPU == 16000000
+#if defined(__AVR_ATmega328P__) || defined(__AVR_ATmega328__) || defined(__AVR_ATmega328PB__) || \
+    defined(__AVR_ATmega168__) || defined(__AVR_ATmega168P__)
+#define SBUS_PIN 7
+#elif defined(__AVR_ATmega2560__) || defined(__AVR_ATmega1280__)
+#define SBUS_PIN 5
+#elif defined(__AVR_ATmega1284P__) || defined(__AVR_ATmega644P__)
+#define SBUS_PIN 3  // PB3, as MightyCore counts
+#endif
+#endif
 #elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
 #define SBUS_RP2040  // arduino-pico from 4.0 on; with FreeRTOS loop() is a task that may change its core
 #elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)

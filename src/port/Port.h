@@ -11,6 +11,16 @@
 
 namespace sbus {
 
+#if defined(SBUS_PIN)
+// For an SBusPin. Null in a sketch without one.
+
+// Returns true if `port` is one, and has lost characters before those that wait, once for each loss.
+__attribute__((weak)) bool pinHasLost(Stream &port);
+// Reads up to `size` characters. Returns how many; -1 if `port` is none. (25 calls of its read() would take 1600
+// cycles.)
+__attribute__((weak)) int pinRead(Stream &port, uint8_t *buffer, size_t size);
+#endif
+
 // A serial port of any class.
 class Port : private CoreKind::Pins {
  public:
@@ -51,6 +61,11 @@ class Port : private CoreKind::Pins {
 #endif
       _hardware->end();
     }
+#if defined(SBUS_PIN)
+    if (_hardware == nullptr) {
+      _open(opened(*this), 0, Inverted);  // closes an SBusPin
+    }
+#endif
   }
 
   // Returns how many bytes wait; if bytes may have been lost between them, only those before the loss.
@@ -76,7 +91,14 @@ class Port : private CoreKind::Pins {
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
 
   // Returns true if bytes may have been lost before the `waiting` ones.
-  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + Late > 2u * _half; }
+  bool mayHaveLostOldest(unsigned waiting) const {
+#if defined(SBUS_PIN)
+    if (pinHasLost != nullptr && pinHasLost(_stream)) {
+      return true;
+    }
+#endif
+    return !losesNewest() && waiting + Late > 2u * _half;
+  }
 
   // Returns for how many characters the port waits for more before it hands over less than a burst, or seems to wait,
   // as the clock counts.
@@ -165,6 +187,12 @@ class Port : private CoreKind::Pins {
   // Not inlined: that would cost a poll of the STM32L0 24 cycles.
   template <typename Hardware>
   __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Rank<0>) {
+#if defined(SBUS_PIN)
+    const int all = pinRead != nullptr ? pinRead(_stream, buffer, size) : -1;
+    if (all >= 0) {
+      return all;
+    }
+#endif
     size_t count = 0;
     for (int byte; count < size && (byte = _stream.read()) >= 0; count++) {
       buffer[count] = static_cast<uint8_t>(byte);

@@ -5,6 +5,7 @@
 #include <Arduino.h>
 #include <stdint.h>
 
+#include "../sbus/Frame.h"
 #include "../sbus/LineTiming.h"
 #include "Core.h"
 #include "ReceiveNotice.h"
@@ -100,12 +101,14 @@ struct GivenPins {
 // Inverts      open() can invert the line
 // BothWays     open() can open the port uninverted afterwards
 // Buffer       bytes, the size of the receive buffer of a port that the sketch has opened
+// Sends        the port can send
 // LosesOldest  a full buffer loses its oldest byte instead of the newest
 // Pins         what open() needs to remember
 // SingleWire   the format for a single inverted wire, TX's, which the port drives only while it sends; 0: it cannot
 // open()       opens the port. Returns the size of its receive buffer, or 0 if that has not changed
 
 struct Kind {
+  static constexpr bool Sends = true;
   static constexpr bool LosesOldest = false;
   static constexpr uint32_t SingleWire = 0;
   using Pins = KeptPins;
@@ -251,7 +254,9 @@ struct OpenAlready : Kind {
   }
 };
 
-// Declared only: its return type is the kind of a port.
+// Declared only: its return type is the kind of a port. A class that has one itself names it.
+template <typename Port>
+auto kindOf(Port *, Stream *, Rank<2>) -> typename Port::PortKind;
 template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Rank<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
 template <typename Port>

@@ -87,6 +87,11 @@ template <typename Port>
 auto noticeOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->setInvertRX(true), ReceiveNotice()) {
   return ReceiveNotice::Fifo;
 }
+// An SBusPin shows a character from its first stop bit on.
+template <typename Port>
+auto noticeOf(Port *, Stream *, Rank<1>) -> decltype(typename Port::PortKind(), ReceiveNotice()) {
+  return ReceiveNotice::EachCharacter;
+}
 // For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
 // CONFIG_UART_ISR_IN_IRAM: it waits while flash is written, for milliseconds, and for other interrupts, and available()

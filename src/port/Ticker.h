@@ -86,6 +86,10 @@ class PolledByTimer {
   static constexpr bool canPoll(const SerialUART *) { return true; }
 #else
   static constexpr bool canPoll(const HardwareSerial *) { return true; }
+  template <typename Port>
+  static constexpr auto canPoll(const Port *) -> decltype(typename Port::PortKind(), bool()) {
+    return true;
+  }
 #endif
   static constexpr bool canPoll(const void *) { return false; }
 

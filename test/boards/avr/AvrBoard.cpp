@@ -20,6 +20,8 @@ namespace {
 constexpr uint32_t CyclesPerUs = 16;
 constexpr avr_cycle_count_t Never = avr_cycle_count_t{1} << 60;
 constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;       // of a silent line
+constexpr uint64_t AheadUs = 20;                                 // a pin's character is drawn so much before it begins
+constexpr uint32_t HighMillivolts = 3300;
 constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of a line that hands characters over at their end
 constexpr uint8_t ExternalInterrupts = 8;                        // INT0..INT7
 constexpr avr_io_addr_t TimerControl = 0x45;                     // TCCR0B
@@ -53,6 +55,8 @@ AvrBoard::AvrBoard(const Model &model, const std::string &sketch, Line line, dou
   }
   load(sketch);
   findUsarts();
+  mendTimers();
+  mendComparator();
   on(written(TimerControl), [this](uint32_t value) { _clockZero = (value & TimerClocked) != 0 ? _avr->cycle : 0; });
   for (size_t number = 0; number < None; number++) {
     if (_usarts[number] == nullptr) {
@@ -63,9 +67,11 @@ AvrBoard::AvrBoard(const Model &model, const std::string &sketch, Line line, dou
     on(avr_io_getirq(_avr, AVR_IOCTL_UART_GETIRQ(static_cast<uint32_t>(usart.name)), UART_IRQ_OUTPUT),
        [this, number](uint32_t value) { send(number, static_cast<uint8_t>(value)); });
   }
-  auto &read = _avr->io[AVR_DATA_TO_IO(_usart->r_udr)].r;
-  read.c = dataRead;
-  read.param = this;
+  if (_usart != nullptr) {
+    auto &read = _avr->io[AVR_DATA_TO_IO(_usart->r_udr)].r;
+    read.c = dataRead;
+    read.param = this;
+  }
   for (size_t pin = 0; pin < 4; pin++) {
     on(port(_model.servos[pin]), [this, pin](uint32_t value) { edge(pin, (value & 1) != 0); });
   }
@@ -116,7 +122,101 @@ void AvrBoard::findUsarts() {
       _usarts[usart->name - '0'] = usart;
     }
   }
-  _usart = _usarts[_model.receiver];
+  _usart = _model.receiver != None ? _usarts[_model.receiver] : nullptr;
+}
+
+// Libsimavr 1.6 clears all flags of TIFRn at a write to it (avr_timer.c, avr_timer_write_pending()), a chip only those
+// that are written as 1. And it forgets an interrupt that is disabled while it waits: enabled again, a chip serves it.
+void AvrBoard::mendTimers() {
+  for (avr_io_t *io = _avr->io_port; io != nullptr; io = io->next) {
+    avr_timer_t *const timer = reinterpret_cast<avr_timer_t *>(io);
+    if (std::strcmp(io->kind, "timer") != 0 || timer->name > '1') {
+      continue;
+    }
+    on(written(timer->overflow.enable.reg), [this, timer](uint32_t) {
+      if (avr_regbit_get(_avr, timer->overflow.enable) != 0 && avr_regbit_get(_avr, timer->overflow.raised) != 0) {
+        avr_raise_interrupt(_avr, &timer->overflow);
+      }
+    });
+    auto &write = _avr->io[AVR_DATA_TO_IO(timer->overflow.raised.reg)].w;
+    write.param = timer;
+    write.c = [](avr_t *avr, avr_io_addr_t, uint8_t value, void *param) {
+      avr_timer_t &self = *static_cast<avr_timer_t *>(param);
+      const auto clear = [avr, value](avr_int_vector_t &vector) {
+        if ((value >> vector.raised.bit & 1) != 0) {
+          avr_clear_interrupt(avr, &vector);
+        }
+      };
+      clear(self.overflow);
+      clear(self.icr);
+      for (avr_timer_comp_t &unit : self.comp) {
+        if (unit.interrupt.vector != 0) {
+          clear(unit.interrupt);
+        }
+      }
+    };
+  }
+}
+
+// Libsimavr 1.6 sets ACI and ACO as they are written; a chip clears ACI by a 1, and ACO is read-only.
+void AvrBoard::mendComparator() {
+  if (_model.receiver != None) {
+    return;
+  }
+  for (avr_io_t *io = _avr->io_port; io != nullptr; io = io->next) {
+    if (std::strcmp(io->kind, "ac") == 0) {
+      _comparator = reinterpret_cast<avr_acomp_t *>(io);
+    }
+  }
+  on(avr_io_getirq(_avr, AVR_IOCTL_ACOMP_GETIRQ, ACOMP_IRQ_OUT), [this](uint32_t value) { _isHigh = value != 0; });
+  avr_register_io_write(
+      _avr, _comparator->r_acsr,
+      [](avr_t *, avr_io_addr_t, uint8_t value, void *board) { static_cast<AvrBoard *>(board)->compare(value); }, this);
+}
+
+// The sketch has written `control` to ACSR.
+void AvrBoard::compare(uint8_t control) {
+  constexpr uint8_t Flag = 0x10, Output = 0x20, Captures = 0x04;
+  uint8_t &now = _avr->data[_comparator->r_acsr];
+  now = static_cast<uint8_t>((now & ~((control & Flag) | Output)) | (_isHigh ? Output : 0));
+  const bool wasOpen = _isOpen;
+  _isOpen = (control & Captures) != 0;
+  if (_isOpen && !wasOpen) {
+    avr_raise_irq(_comparator->timer_irq, _isHigh ? 1 : 0);  // libsimavr's timer knows it only after a change
+    open();
+  }
+}
+
+void AvrBoard::setLine(bool isHigh) {
+  avr_raise_irq(avr_io_getirq(_avr, AVR_IOCTL_ACOMP_GETIRQ, ACOMP_IRQ_AIN1), isHigh ? HighMillivolts : 0);
+}
+
+// Adds the edges of a character.
+void AvrBoard::draw(const line::Character &character) {
+  constexpr uint32_t Bits = 12;
+  const unsigned parity = static_cast<unsigned>(__builtin_parity(character.value)) ^ (character.bad ? 1u : 0u);
+  const unsigned bits = unsigned{character.value} << 1 | parity << 9 | 3u << 10;
+  const avr_cycle_count_t begins = _clockZero + (character.endUs - line::CharacterUs) * CyclesPerUs;
+  bool wasHigh = false;
+  for (uint32_t bit = 0; bit < Bits; bit++) {
+    const bool isHigh = (bits >> bit & 1) == 0;
+    if (isHigh != wasHigh) {
+      _edges.push_back({begins + bit * line::CharacterUs * CyclesPerUs / Bits, isHigh});
+      wasHigh = isHigh;
+    }
+  }
+  avr_cycle_timer_cancel(_avr, edgeComes, this);
+  avr_cycle_timer_register(_avr, std::max<avr_cycle_count_t>(_edges.front().cycle, _avr->cycle + 1) - _avr->cycle,
+                           edgeComes, this);
+}
+
+avr_cycle_count_t AvrBoard::edgeComes(avr_t *, avr_cycle_count_t when, void *board) {
+  AvrBoard &self = *static_cast<AvrBoard *>(board);
+  while (!self._edges.empty() && self._edges.front().cycle <= when) {
+    self.setLine(self._edges.front().isHigh);
+    self._edges.pop_front();
+  }
+  return self._edges.empty() ? 0 : self._edges.front().cycle;
 }
 
 avr_irq_t *AvrBoard::port(const Pin &pin) const {
@@ -215,10 +315,12 @@ void AvrBoard::control(size_t number, uint32_t value) {
 
 void AvrBoard::open() {
   const uint64_t us = clockUs(_avr->cycle);
-  _settings = settings(_model.receiver);
+  _settings = _usart != nullptr ? settings(_model.receiver) : line::LineSettings();
   _sampler.open(us, _settings, {});
   _received.clear();
-  showReceived();
+  if (_usart != nullptr) {
+    showReceived();
+  }
   if (_opened.empty()) {
     if (_line.source) {
       _line.source->opened(us);
@@ -231,7 +333,8 @@ void AvrBoard::open() {
 
 bool AvrBoard::next(line::Character &character) {
   if (_line.source) {
-    return _line.source->next(std::min(_line.cutUs, clockUs(_avr->cycle) + line::CharacterUs), character);
+    const uint64_t ahead = line::CharacterUs + (_usart == nullptr ? AheadUs : 0);
+    return _line.source->next(std::min(_line.cutUs, clockUs(_avr->cycle) + ahead), character);
   }
   if (_wire.empty()) {
     return false;
@@ -250,6 +353,9 @@ avr_cycle_count_t AvrBoard::characterThrough(avr_t *, avr_cycle_count_t when, vo
   do {
     self._isComing = self.next(self._next);
   } while (self._isComing && self._next.endUs <= self._opened[0]);
+  if (self._isComing && self._usart == nullptr) {
+    self.draw(self._next);
+  }
   const avr_cycle_count_t poll = when + (self._line.isShared ? SharedPollCycles : PollCycles);
   return self._isComing ? std::max(self._clockZero + self._next.endUs * CyclesPerUs, when + 1) : poll;
 }
@@ -260,13 +366,17 @@ avr_cycle_count_t AvrBoard::levelChanges(avr_t *, avr_cycle_count_t when, void *
   const auto cycleOf = [](const Level &level) { return static_cast<avr_cycle_count_t>(level.us * CyclesPerUs); };
   while (self._nextLevel < levels.size() && cycleOf(levels[self._nextLevel]) <= when) {
     const Level &level = levels[self._nextLevel++];
-    avr_raise_irq(self.port(self._model.inputs[level.pin]), level.isHigh ? 1 : 0);
+    if (level.pin == SBusInput) {
+      self.setLine(level.isHigh);
+    } else {
+      avr_raise_irq(self.port(self._model.inputs[level.pin]), level.isHigh ? 1 : 0);
+    }
   }
   return self._nextLevel < levels.size() ? cycleOf(levels[self._nextLevel]) : 0;
 }
 
 void AvrBoard::receive(const line::Character &character) {
-  if (!_isOpen) {
+  if (!_isOpen || _usart == nullptr) {
     return;
   }
   if (const std::string mismatch = line::mismatch(settings(_model.receiver), {}); !mismatch.empty()) {

@@ -2,6 +2,7 @@
 // that goes over the S.Bus line, and all that the sketch does.
 #pragma once
 
+#include <simavr/avr_acomp.h>
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 
@@ -28,7 +29,7 @@ struct Pin {
 struct Model {
   const char *name;  // of the folder with its sketches
   const char *chip;
-  size_t receiver;  // the USART at the S.Bus line
+  size_t receiver;  // the USART at the S.Bus line; None: the comparator, pin 7
   size_t console;   // the USART that prints; None: the USB does, or nothing
   Pin servos[4];    // the pins 2..5
   Pin led;
@@ -46,18 +47,20 @@ constexpr Model Mega = {"mega",
                         {'B', 7},
                         {{'E', 4}, {'E', 5}, {'D', 1}, {'D', 0}},
                         4096};
-constexpr Model Uno = {"uno", "atmega328p", 0, None, {{'D', 2}, {'D', 3}, {'D', 4}, {'D', 5}}, {'B', 5}, {}, 1024};
+constexpr Model Uno = {"uno", "atmega328p", None, 0, {{'D', 2}, {'D', 3}, {'D', 4}, {'D', 5}}, {'B', 5}, {}, 1024};
 constexpr Model Leonardo = {"leonardo", "atmega32u4", 1,   None, {{'D', 1}, {'D', 0}, {'D', 4}, {'C', 6}},
                             {'C', 7},   {},           1024};
 
-// A level that comes to a pin from outside, one of Model::inputs.
+constexpr size_t SBusInput = 4;
+
+// A level that comes to a pin from outside, one of Model::inputs, or SBusInput: a comparator's.
 struct Level {
   double us;
   size_t pin;
   bool isHigh;
 };
 
-// The line at RX. In front of the pin, and after each TX pin, there is an inverter.
+// The line at RX. In front of the pin, and after each TX pin, there is an inverter. A comparator has none.
 struct Line {
   std::unique_ptr<line::Line> source;  // null: a wire from TX
   uint64_t cutUs = UINT64_MAX;         // when it falls silent
@@ -116,6 +119,7 @@ class AvrBoard {
   static uint8_t dataRead(avr_t *avr, avr_io_addr_t address, void *board);
   static avr_cycle_count_t shifted(avr_t *avr, avr_cycle_count_t when, void *transmitter);
   static avr_cycle_count_t levelChanges(avr_t *avr, avr_cycle_count_t when, void *board);
+  static avr_cycle_count_t edgeComes(avr_t *avr, avr_cycle_count_t when, void *board);
   static avr_cycle_count_t characterThrough(avr_t *avr, avr_cycle_count_t when, void *board);
 
   uint64_t clockUs(avr_cycle_count_t cycle) const;
@@ -125,6 +129,11 @@ class AvrBoard {
   void run(double seconds);
   void load(const std::string &sketch);
   void findUsarts();
+  void mendTimers();
+  void mendComparator();
+  void compare(uint8_t control);
+  void setLine(bool isHigh);
+  void draw(const line::Character &character);
   line::LineSettings settings(size_t number) const;
   void control(size_t number, uint32_t value);
   void open();
@@ -162,6 +171,13 @@ class AvrBoard {
   std::deque<line::Character> _received;  // and not yet read
   bool _isOpen = false;
   line::LineSettings _settings;  // then
+  avr_acomp_t *_comparator = nullptr;
+  bool _isHigh = false;  // its output
+  struct Edge {
+    avr_cycle_count_t cycle;
+    bool isHigh;
+  };
+  std::deque<Edge> _edges;  // that come to it
   size_t _nextLevel = 0;
   avr_cycle_count_t _rose[6] = {};
   Printed _row{};  // printed so far

@@ -1,6 +1,5 @@
-// Runs the examples that convert S.Bus to other signals and back, on a simulated Mega (PpmOut
-// also on a Leonardo), and measures how far off
-// the edges are.
+// Runs the examples that convert S.Bus to other signals and back, on a simulated Mega (PpmOut also on a Leonardo and an
+// Uno), and measures how far off the edges are.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -139,7 +138,8 @@ TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms;
   // 9 frames of 9 ms lost, then the failsafe flag at 10 s; or nothing from 2 s on
   for (const Run &run :
        {Run{avr::Mega, "flight", UINT64_MAX, 13, 460, 10.05e6, 12.5e6},
-        Run{avr::Mega, "cut", 2000000, 3, 80, 2.13e6, 3e6}, Run{avr::Leonardo, "cut", 2000000, 3, 80, 2.13e6, 3e6}}) {
+        Run{avr::Mega, "cut", 2000000, 3, 80, 2.13e6, 3e6}, Run{avr::Leonardo, "cut", 2000000, 3, 80, 2.13e6, 3e6},
+        Run{avr::Uno, "cut", 2000000, 3, 80, 2.13e6, 3e6}}) {
     CAPTURE(std::string(run.model.name));
     CAPTURE(run.name);
     const AvrBoard board(run.model, "PpmOut", flight(run.cutUs), run.seconds);

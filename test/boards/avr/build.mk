@@ -12,17 +12,17 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Busy InterruptsOff ManyStops Masked
+OURS_ALONE := Background Busy InterruptsOff ManyStops Masked Pin PinBackground
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega
 leonardo := atmega32u4 LEONARDO leonardo -DUSBCON -DUSB_VID=0x2341 -DUSB_PID=0x8036 -I$(ARDUINO)/libraries/HID/src
 uno := atmega328p UNO standard
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
-reason = $(strip $(if $(filter uno,$1),$(if $(filter Led Servos,$2),,one port cannot receive and print), \
-  $(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts)))
-# Busy and Masked have a timer 2, and all print.
-ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background InterruptsOff))
+reason = $(strip $(if $(filter leonardo-PwmIn uno-PwmIn,$1-$2),needs four pins with interrupts) \
+  $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),An SBusPin only receives))
+# Busy and Masked have a timer 2.
+ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background InterruptsOff,Pin PinBackground))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
 sketches = $(filter-out $(call rejected,$1),$(EXAMPLES)) $(call ours,$1)
 elves = $(patsubst %,$(OUT)/$1/%.elf,$(call sketches,$1))
@@ -65,7 +65,7 @@ $(patsubst %,$(OUT)/$1/sketch/%.o,$(call ours,$1)): $(OUT)/$1/sketch/%.o: $(HERE
 
 $(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(ROOT)/src/SBusUart.h $(HERE)/build.mk
 	@mkdir -p $$(@D)
-	! $(AVR_CXX) $(OURS) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
+	! $(AVR_CXX) $(OURS) -x c++ -include Arduino.h -S -o /dev/null $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error' $$@ | grep -q '$$(call reason,$1,$$*)'
 
 $(OUT)/$1/library/%.cpp.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
@@ -88,11 +88,11 @@ $(OUT)/$1/core.a: $(CORE_SOURCES:%=$(OUT)/$1/core/%.o)
 	@rm -f $$@
 	avr-ar rcs $$@ $$^
 endef
-# $1: the board, $2: the example. The core's HID library has warnings of its own; boards/cores has the same code with ours.
+# $1: the board, $2: the example. The core's HID library and its macros of pins have warnings of their own; boards/cores has Joystick with ours.
 define example
 $(OUT)/$1/sketch/$2.o: $(ROOT)/examples/$2/$2.ino $(HERE)/build.mk
 	@mkdir -p $$(@D)
-	$(AVR_CXX) $(if $(filter leonardo-Joystick,$1-$2),-w,$(WARNINGS)) $(OURS) -x c++ -include Arduino.h -c $$< $$(DEPENDENCIES) -o $$@
+	$(AVR_CXX) $(if $(filter leonardo-Joystick uno-Servos,$1-$2),-w,$(WARNINGS)) $(OURS) -x c++ -include Arduino.h -c $$< $$(DEPENDENCIES) -o $$@
 endef
 $(foreach board,$(BOARDS),$(eval $(call board_rules,$(board))) \
   $(foreach name,$(EXAMPLES),$(eval $(call example,$(board),$(name)))))

@@ -81,7 +81,7 @@ esp32-s2_page := ESP32-S2
 esp32-s3_page := S3
 esp8266_page := ESP8266
 nano-esp32_page := Nano ESP32
-uno_page := Uno R3
+uno_page := Pro Mini
 xiao-esp32_page := XIAO ESP32
 
 # One of each timer that polls each millisecond; boards/avr runs an AVR's.

@@ -1,0 +1,3 @@
+// Pin.cpp with a decoder that listens in the background.
+#define BACKGROUND
+#include "Pin.cpp"

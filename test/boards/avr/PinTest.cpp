@@ -1,0 +1,254 @@
+// A line straight on a pin of a simulated Uno: how many frames come through, and that none is wrong, whatever the line
+// does, and whatever keeps interrupts off. Pin.cpp knows a wrong frame.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "AvrBoard.h"
+#include "Expected.h"
+
+namespace {
+
+using avr::AvrBoard;
+using avr::Level;
+
+struct Range {
+  double least, most;  // us
+};
+
+// What a line and a sketch are like: as a receiver's, 9 ms, without a fault, and a sketch that prints.
+struct Row {
+  double periodUs = 9000;
+  double bitUs = 10;
+  double jitterUs = 0;   // each edge is late by up to this
+  double spreadUs = 0;   // between two characters
+  unsigned pauses = 0;   // of 480 us, in each frame
+  double pulses = 0;     // a frame, at any time, in which the line has the other level,
+  Range width = {0, 0};  // for so long
+  double opens = 0;      // a second; then the line has this level,
+  bool isHigh = false;
+  Range open = {0, 0};                                         // for so long
+  uint16_t shortest = 0, longest = 0, loops = 1, pauseMs = 0;  // of Pin.cpp
+  const char *sketch = "Pin";
+};
+
+struct Run {
+  const char *name;
+  size_t missed;  // frames, at most, of 222 at 9 ms
+  void (*set)(Row &row);
+};
+
+// The edges of frames whose channel i is the frame's number plus 37 i.
+class Wave {
+ public:
+  Wave(const Row &row, double seconds) : _row(row) {
+    for (double us = 50000; us < seconds * 1e6 - 350000; us += row.periodUs) {
+      frame(us);
+    }
+    if (row.pulses > 0) {
+      invert(seconds * 1e6);
+    }
+    if (row.opens > 0) {
+      open(seconds * 1e6);
+    }
+  }
+
+  size_t frames = 0;
+
+  std::vector<Level> levels() const {
+    std::vector<Level> all;
+    for (size_t i = 0; i < _edges.size(); i++) {
+      all.push_back({_edges[i], avr::SBusInput, i % 2 == 0});
+    }
+    return all;
+  }
+
+ private:
+  double between(Range range) { return std::uniform_real_distribution<double>(range.least, range.most)(_random); }
+
+  void edge(double us, bool isHigh) {
+    if (isHigh != (_edges.size() % 2 != 0)) {
+      _edges.push_back(us + between({0, _row.jitterUs}));
+    }
+  }
+
+  void frame(double us) {
+    uint8_t bytes[25] = {0x0F};
+    for (unsigned bit = 0; bit < 176; bit++) {
+      const unsigned channel = (static_cast<unsigned>(frames) + 37 * (bit / 11)) & 2047;
+      bytes[1 + bit / 8] = static_cast<uint8_t>(bytes[1 + bit / 8] | (channel >> bit % 11 & 1) << bit % 8);
+    }
+    std::vector<unsigned> pauses(_row.pauses);
+    for (unsigned &pause : pauses) {
+      pause = 1 + static_cast<unsigned>(_random() % 24);
+    }
+    for (unsigned i = 0; i < 25; i++) {
+      us += 480 * static_cast<double>(std::count(pauses.begin(), pauses.end(), i));
+      const unsigned parity = static_cast<unsigned>(__builtin_parity(bytes[i]));
+      const unsigned bits = unsigned{bytes[i]} << 1 | parity << 9 | 3u << 10;
+      for (unsigned bit = 0; bit < 12; bit++) {
+        edge(us + bit * _row.bitUs, (bits >> bit & 1) == 0);
+      }
+      us += 12 * _row.bitUs + _row.spreadUs;
+    }
+    frames++;
+  }
+
+  void invert(double endUs) {
+    for (double us = 50000; us < endUs; us += between({0, 2 * _row.periodUs / _row.pulses})) {
+      _edges.push_back(us);
+      _edges.push_back(us + between(_row.width));
+    }
+    std::sort(_edges.begin(), _edges.end());
+  }
+
+  void open(double endUs) {
+    const std::vector<double> edges = std::move(_edges);
+    _edges.clear();
+    size_t next = 0;
+    const auto closed = [&](double untilUs, bool takes) {
+      for (; next < edges.size() && edges[next] < untilUs; next++) {
+        if (takes) {
+          edge(edges[next], next % 2 == 0);
+        }
+      }
+    };
+    _row.jitterUs = 0;
+    for (double us = 50000; us < endUs; us += between({0, 2e6 / _row.opens})) {
+      closed(us, true);
+      edge(us, _row.isHigh);
+      us += between(_row.open);
+      closed(us, false);
+      edge(us, next % 2 != 0);
+    }
+  }
+
+  Row _row;
+  std::mt19937 _random{20181};
+  std::vector<double> _edges;  // the first one rises
+};
+
+// The sketch disables interrupts for `shortest` to `longest` us in one loop of `loops`.
+void mask(Row &row, uint16_t shortest, uint16_t longest, uint16_t loops) {
+  row.shortest = shortest;
+  row.longest = longest;
+  row.loops = loops;
+}
+
+constexpr double Seconds = 2.4;  // frames come until 2.05
+
+std::string resultOf(const Row &row, const Wave &wave) {
+  std::vector<uint8_t> eeprom;
+  for (const uint16_t number : {row.shortest, row.longest, row.loops, row.pauseMs}) {
+    eeprom.push_back(static_cast<uint8_t>(number));
+    eeprom.push_back(static_cast<uint8_t>(number >> 8));
+  }
+  avr::Line line;
+  line.levels = wave.levels();
+  const AvrBoard board(avr::Uno, row.sketch, std::move(line), Seconds, eeprom);
+  std::string last;
+  for (const avr::Printed &printed : board.printed()) {
+    last = avr::numbersIn(printed.text).empty() ? last : printed.text;
+  }
+  CHECK(board.mistakes() == "");
+  return last;
+}
+
+}  // namespace
+
+TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever line and sketch do") {
+  const Run runs[] = {
+      {"7 ms", 1, [](Row &row) { row.periodUs = 7000; }},
+      {"9 ms", 1, [](Row &) {}},
+      {"14 ms", 1, [](Row &row) { row.periodUs = 14000; }},
+      {"97 kbaud", 2, [](Row &row) { row.bitUs = 1000 / 97.0; }},
+      {"103 kbaud", 2, [](Row &row) { row.bitUs = 1000 / 103.0; }},
+      {"edges late by 0 to 1 us", 3, [](Row &row) { row.jitterUs = 1; }},
+      {"edges late by 0 to 3 us", 15, [](Row &row) { row.jitterUs = 3; }},
+      {"160 us a character, 14 ms", 2,
+       [](Row &row) {
+         row.periodUs = 14000;
+         row.spreadUs = 40;
+       }},
+      {"235 us a character, 14 ms", 40,
+       [](Row &row) {
+         row.periodUs = 14000;
+         row.spreadUs = 115;
+       }},
+      {"two pauses of 480 us, 14 ms", 10,
+       [](Row &row) {
+         row.periodUs = 14000;
+         row.pauses = 2;
+       }},
+      {"pulses of 0.1 to 3 us, one a frame", 60,
+       [](Row &row) {
+         row.pulses = 1;
+         row.width = {0.1, 3};
+       }},
+      {"pulses of 3 to 10 us, one in three frames", 60,
+       [](Row &row) {
+         row.pulses = 0.33;
+         row.width = {3, 10};
+       }},
+      {"open for 1 to 30 ms, ten times a second", 60,
+       [](Row &row) {
+         row.opens = 10;
+         row.open = {1000, 30000};
+       }},
+      {"high for 0.1 to 0.4 ms, ten times a second", 20,
+       [](Row &row) {
+         row.opens = 10;
+         row.isHigh = true;
+         row.open = {100, 400};
+       }},
+      {"interrupts off for 12 us in each loop", 222,
+       [](Row &row) {
+         row.shortest = 12;
+         row.longest = 12;
+       }},
+      {"5 to 30 us, one loop in 8", 100, [](Row &row) { mask(row, 5, 30, 8); }},
+      {"20 to 60 us, one in 32", 80, [](Row &row) { mask(row, 20, 60, 32); }},
+      {"30 to 40 us, one in 32", 80, [](Row &row) { mask(row, 30, 40, 32); }},
+      {"40 to 60 us, one in 16", 130, [](Row &row) { mask(row, 40, 60, 16); }},
+      {"20 to 100 us, one in 64", 60, [](Row &row) { mask(row, 20, 100, 64); }},
+      {"30 to 200 us, one in 64", 70, [](Row &row) { mask(row, 30, 200, 64); }},
+      {"0.3 ms, one in 64", 70, [](Row &row) { mask(row, 300, 300, 64); }},
+      {"2 ms, one in 64", 120, [](Row &row) { mask(row, 2000, 2000, 64); }},
+      {"5 ms, one in 64", 180, [](Row &row) { mask(row, 5000, 5000, 64); }},
+      {"delay(1)", 1, [](Row &row) { row.pauseMs = 1; }},
+      {"delay(3)", 2, [](Row &row) { row.pauseMs = 3; }},
+      {"delay(20)", 222, [](Row &row) { row.pauseMs = 20; }},
+      {"delay(20), interrupts off for 0.3 to 0.9 ms", 222,
+       [](Row &row) {
+         mask(row, 300, 900, 2);
+         row.pauseMs = 20;
+       }},
+      {"delay(20), DecodeSBusBackground", 3,
+       [](Row &row) {
+         row.pauseMs = 20;
+         row.sketch = "PinBackground";
+       }},
+      {"20 to 100 us, one in 64, DecodeSBusBackground", 70,
+       [](Row &row) {
+         mask(row, 20, 100, 64);
+         row.sketch = "PinBackground";
+       }},
+  };
+  for (const Run &run : runs) {
+    CAPTURE(std::string(run.name));
+    Row row;
+    run.set(row);
+    const Wave wave(row, Seconds);
+    const std::string result = resultOf(row, wave);
+    const avr::Numbers numbers = avr::numbersIn(result);
+    MESSAGE(std::string(run.name), ": ", wave.frames, " sent; received, wrong, overflows: ", result);
+    REQUIRE(numbers.size() == 3);
+    CHECK(numbers[1] == 0);
+    CHECK(numbers[0] + static_cast<double>(run.missed) >= static_cast<double>(wave.frames));
+  }
+}
