@@ -10,6 +10,7 @@
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
+#include "line/report/FlagSpans.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -54,7 +55,10 @@ class SettingTrial {
 
   // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and of 2.5 periods or more. Late reads by
   // a busy PC do not count as silence.
-  bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
+  bool isInterrupted() const { return silentUs(&Silence::provedUs) >= InterruptedUs; }
+
+  // Returns, in a sentence, when bytes came but no frame, or that the line went silent, for 0.5 s in all; otherwise "".
+  std::string framesInPart() const;
 
   // Returns the frame period in ms; 0 if it is not known.
   unsigned periodMs() const;
@@ -78,11 +82,14 @@ class SettingTrial {
   uint64_t gapUs() const;
   sbus::Counters counters() const { return _observer.counters(); }
 
+  static constexpr uint64_t InterruptedUs = 500000;
+
   const line::LineSettings _settings;
   line::Observer _observer;
   line::Examination _examination;
   line::Readings _readings;
   std::vector<uint64_t> _ends;  // of the frames, in us
+  line::FlagSpans _spans;
   std::vector<Silence> _silences;
   line::CsvRows _rows;
   bool _isCsv = false;

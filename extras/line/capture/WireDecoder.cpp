@@ -23,14 +23,25 @@ void WireDecoder::signals(const std::vector<std::string> &names) {
     const std::string inQuotes = quoted(name);
     _names.push_back(inQuotes.substr(1, inQuotes.size() - 2));
   }
-  _samples.resize(names.size());
+  for (size_t i = 0; i < names.size(); i++) {
+    _collected.emplace_back(KeptMax / names.size());
+  }
 }
 
 void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
-  std::vector<Level> &sample = _samples[signal];
+  constexpr int64_t GapNs = 200000;  // longer than the bits of a character that are alike
+  Collected &collected = _collected[signal];
+  std::vector<Level> &sample = collected.sample;
   if (!isWanted(signal) || (!sample.empty() && sample.back().high == high)) {
     return;
   }
+  // If they are too many, the newest ones count, from a gap on.
+  if (!collected.kept.isWhole() && ns - sample.back().ns >= GapNs) {
+    collected.fromNs = sample.back().ns;
+    collected.kept = EdgeStore(KeptMax / _names.size());
+    collected.kept.put(sample.back().ns, sample.back().high);
+  }
+  collected.kept.put(ns, high);
   sample.push_back({ns, high});
   if (sample.size() < SampleMax) {
     return;
@@ -43,8 +54,8 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
 }
 
 void WireDecoder::choose() {
-  for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i], _overrides);
+  for (size_t i = 0; i < _collected.size(); i++) {
+    const FoundWire wire = findWire(_collected[i].sample, _overrides);
     if (wire.frames == 0) {
       continue;
     }
@@ -64,12 +75,13 @@ void WireDecoder::choose() {
 
 // Decodes the only signal even without a frame: bits copied from an oscilloscope's picture may be less than one.
 void WireDecoder::chooseOnly() {
-  if (_overrides.signal.empty() && _samples.size() != 1) {
+  if (_overrides.signal.empty() && _collected.size() != 1) {
     return;
   }
-  for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i], _overrides);
-    if (isWanted(i) && wire.hasCharacters() && (_overrides.baud != 0 || hasBits(_samples[i]))) {
+  for (size_t i = 0; i < _collected.size(); i++) {
+    const std::vector<Level> &sample = _collected[i].sample;
+    const FoundWire wire = findWire(sample, _overrides);
+    if (isWanted(i) && wire.hasCharacters() && (_overrides.baud != 0 || hasBits(sample))) {
       _wire = wire;
       _chosen = i;
       begin();
@@ -81,10 +93,23 @@ void WireDecoder::chooseOnly() {
 void WireDecoder::begin() {
   _decoder.emplace(_wire.settings, _wire.bitNs);
   _onFound();
-  for (const Level &level : _samples[_chosen]) {
-    decode(level.ns, level.high);
+  const Collected &chosen = _collected[_chosen];
+  if (chosen.kept.isWhole()) {
+    _decodedNs = chosen.fromNs;
+    chosen.kept.each(INT64_MIN, INT64_MAX, [this](int64_t ns, bool high) { decode(ns, high); });
+  } else {
+    _decodedNs = chosen.sample.front().ns;
+    for (const Level &level : chosen.sample) {
+      decode(level.ns, level.high);
+    }
   }
-  _samples.clear();
+  _collected.clear();
+}
+
+std::string WireDecoder::note() const {
+  return _decodedNs == INT64_MIN ? ""
+                                 : "decoded from " + std::to_string(_decodedNs / 1000) +
+                                       " us on: the edges before that have no frame, and are too many to be kept";
 }
 
 void WireDecoder::finish(int64_t endNs, bool cutOff) {
@@ -113,7 +138,7 @@ std::string WireDecoder::failure(double periodNs) const {
   size_t told = 0;
   std::string reasons;
   for (size_t i = 0; i < _names.size() && told < Shown; i++) {
-    const std::vector<Level> &sample = _samples[i];
+    const std::vector<Level> &sample = _collected[i].sample;
     if (isWanted(i) && (hasPulses(sample) || _names.size() == 1 || !wanted.empty())) {
       const FoundWire wire = findWire(sample, _overrides);
       reasons += (told > 0 ? "; signal " : "signal ") + _names[i] + " " +
