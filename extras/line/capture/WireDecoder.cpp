@@ -24,7 +24,7 @@ void WireDecoder::signals(const std::vector<std::string> &names) {
     _names.push_back(inQuotes.substr(1, inQuotes.size() - 2));
   }
   for (size_t i = 0; i < names.size(); i++) {
-    _collected.emplace_back(KeptMax / names.size());
+    _collected.emplace_back(_keptMax / names.size());
   }
 }
 
@@ -35,14 +35,19 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
   if (!isWanted(signal) || (!sample.empty() && sample.back().high == high)) {
     return;
   }
-  // If they are too many, the newest ones count, from a gap on.
-  if (!collected.kept.isWhole() && ns - sample.back().ns >= GapNs) {
-    collected.fromNs = sample.back().ns;
-    collected.kept = EdgeStore(KeptMax / _names.size());
-    collected.kept.put(sample.back().ns, sample.back().high);
-  }
-  collected.kept.put(ns, high);
   sample.push_back({ns, high});
+  // If they are too many, those of the sample count, from a gap on.
+  const auto isGap = [](const Level &level, const Level &next) { return next.ns - level.ns >= GapNs; };
+  if (!collected.kept.isWhole() && isGap(*(sample.end() - 2), sample.back())) {
+    auto level = std::adjacent_find(sample.begin(), sample.end(), isGap);
+    collected.fromNs = level->ns;
+    collected.kept = EdgeStore(_keptMax / _names.size());
+    for (; level != sample.end(); ++level) {
+      collected.kept.put(level->ns, level->high);
+    }
+  } else {
+    collected.kept.put(ns, high);
+  }
   if (sample.size() < SampleMax) {
     return;
   }

@@ -19,10 +19,12 @@ namespace line {
 // characters.
 class WireDecoder : public LevelSink {
  public:
-  // `found` is called once, before the first character; `level` for each level of the chosen signal.
+  // `found` is called once, before the first character; `level` for each level of the chosen signal. It keeps at most
+  // `keptMax` bytes.
   WireDecoder(Overrides overrides, std::function<void()> found, std::function<void(const WireCharacter &)> character,
-              std::function<void(int64_t ns, bool high)> level = nullptr)
-      : _overrides(std::move(overrides)),
+              std::function<void(int64_t ns, bool high)> level = nullptr, size_t keptMax = size_t{64} << 20)
+      : _keptMax(keptMax),
+        _overrides(std::move(overrides)),
         _onFound(std::move(found)),
         _onCharacter(std::move(character)),
         _onLevel(std::move(level)) {}
@@ -67,7 +69,6 @@ class WireDecoder : public LevelSink {
  private:
   static constexpr size_t Shown = 8;         // signals named in a message
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
-  static constexpr size_t KeptMax = size_t{64} << 20;  // bytes, of all signals
 
   // A signal before one is chosen.
   struct Collected {
@@ -93,6 +94,7 @@ class WireDecoder : public LevelSink {
     }
   }
 
+  const size_t _keptMax;
   const Overrides _overrides;
   const std::function<void()> _onFound;
   const std::function<void(const WireCharacter &)> _onCharacter;
