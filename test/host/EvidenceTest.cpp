@@ -81,7 +81,7 @@ TEST_CASE("numbers that are no line have no frame, however often 0F and 00 are a
   for (const auto &set : values) {
     for (const char *const form : forms) {
       for (const char *const head : heads) {
-        for (int i = 0; i < 20; i++, texts++) {
+        for (int i = 0; i < 4; i++, texts++) {
           std::string text;
           const uint64_t perLine = 1 + random.below(12), lines = 40 + random.below(200);
           for (uint64_t line = 0; line < lines; line++) {
@@ -104,10 +104,10 @@ TEST_CASE("numbers that are no line have no frame, however often 0F and 00 are a
 TEST_CASE("tables of small numbers, as programs have them, have no frame") {
   line::Random random(seedOfDay() + 1);
   unsigned claimed = 0;
-  constexpr unsigned Files = 500;
+  constexpr unsigned Files = 60;
   for (unsigned i = 0; i < Files; i++) {
     std::string file;
-    const uint64_t record = 4 + random.below(40), size = 100 + random.below(200000);
+    const uint64_t record = 4 + random.below(40), size = 100 + random.below(50000);
     while (file.size() < size) {
       for (uint64_t k = 0; k < record; k++) {
         const uint64_t kind = (k * 7 + i) % 5;
@@ -117,7 +117,7 @@ TEST_CASE("tables of small numbers, as programs have them, have no frame") {
     claimed += !framesIn(file).empty();
   }
   MESSAGE(claimed, " of ", Files, " files have frames; seed ", seedOfDay() + 1);
-  CHECK(claimed * 100 <= Files);
+  CHECK(claimed <= 4);
 }
 
 TEST_CASE("what stands before, between and around frames costs none, in any form") {
@@ -164,6 +164,7 @@ TEST_CASE("what stands before, between and around frames costs none, in any form
             const bool isRight = framesIn(isRaw == 1 ? bytes : text) == sent;
             lost += !isRight;
             if (!isRight) {
+
               MESSAGE("not read: ", std::string(head), std::string(form), " width ", width, ", ", filler.before, " before, ", filler.after, " after, raw ", isRaw);
             }
           }

@@ -210,8 +210,9 @@ Runs runsOf(const Numbers &all) {
     for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
     }
     // The end of 18:12:30,345 is no byte; after bytes, as a field of its own, or with two digits, it is one.
-    const bool isField = isOneOf(all[begin].sign, ",;|") &&
-                         (begin < 2 || all[begin - 1].sign != ':' || all[begin].text.size() == 2);
+    std::string_view digits = all[begin].text;
+    const bool isByte = takeMark(digits) || digits.size() == 2;
+    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':' || isByte);
     const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
     runs.last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));

@@ -49,7 +49,7 @@ bool isRecording(std::string_view text) {
       isByte = isByte && word.size() <= 3 && (word.size() < 3 || word.back() == '!');
     }
     if (!isByte || digits.empty() || !std::all_of(digits.begin(), digits.end(), isDigit)) {
-      return lines == 2;
+      return lines == 2 && times[0].size() != 2;
     }
   }
   return !times[0].empty() && !(times[0].size() == 2 && times[1].size() == 2);
