@@ -175,7 +175,8 @@ uint64_t SettingTrial::silentUs(uint64_t Silence::*us) const {
 }
 
 std::string SettingTrial::framesInPart() const {
-  constexpr size_t FramesLeast = 20;  // for each time without: on a line with a wrong setting they come by chance
+  constexpr uint64_t PartUs = 300000;
+  constexpr size_t FramesLeast = 10;  // for each time without: on a line with a wrong setting they come by chance
   const auto seconds = [](uint64_t us) { return static_cast<double>(us) / 1e6; };
   std::vector<line::FlagSpan> without = _spans.all();
   without.erase(std::remove_if(without.begin(), without.end(),
@@ -188,13 +189,13 @@ std::string SettingTrial::framesInPart() const {
     return {};
   }
   const line::FlagSpan &last = without.back();
-  if (last.fromUs == _ends.back() && last.us() >= InterruptedUs) {
+  if (last.fromUs == _ends.back() && last.us() >= PartUs) {
     const bool isSilent = !_silences.empty() && _silences.back().beginUs + _silences.back().us >= last.toUs &&
                           2 * _silences.back().us > last.us();
     return line::format("Frames stop: for the last %.1f s %s.", seconds(last.us()),
                         isSilent ? "the line is silent" : "bytes come, but no frame");
   }
-  if (all < silent + InterruptedUs) {
+  if (all < silent + PartUs) {
     return {};
   }
   const line::FlagSpan &first = without.front();

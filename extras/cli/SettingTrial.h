@@ -55,9 +55,9 @@ class SettingTrial {
 
   // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and of 2.5 periods or more. Late reads by
   // a busy PC do not count as silence.
-  bool isInterrupted() const { return silentUs(&Silence::provedUs) >= InterruptedUs; }
+  bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
 
-  // Returns, in a sentence, when bytes came but no frame, or that the line went silent, for 0.5 s in all; otherwise "".
+  // Returns, in a sentence, when bytes came but no frame, or that the line went silent, for 0.3 s in all; otherwise "".
   std::string framesInPart() const;
 
   // Returns the frame period in ms; 0 if it is not known.
@@ -81,8 +81,6 @@ class SettingTrial {
   uint64_t usualPeriodUs(const std::vector<uint64_t> &periods, uint64_t us) const;
   uint64_t gapUs() const;
   sbus::Counters counters() const { return _observer.counters(); }
-
-  static constexpr uint64_t InterruptedUs = 500000;
 
   const line::LineSettings _settings;
   line::Observer _observer;

@@ -120,6 +120,45 @@ TEST_CASE("tables of small numbers, as programs have them, have no frame") {
   CHECK(claimed <= 4);
 }
 
+TEST_CASE("a long file without a frame at its beginning is no line, and raw frames may have CR LF between them") {
+  line::Random random(seedOfDay() + 3);
+  Frames sent = flight(random);
+  const auto bytesOf = [&sent](const char *between) {
+    std::string bytes;
+    for (const Frame &frame : sent) {
+      bytes.append(frame.begin(), frame.end());
+      bytes += between;
+    }
+    return bytes;
+  };
+  CHECK(framesIn(bytesOf("")) == sent);
+  const std::string zeros(line::FileHeadMax, '\0'), numbers = [] {
+    std::string text;
+    while (text.size() < line::FileHeadMax) {
+      text += "RX: 1 2 3 4 5 6 7 8 9\n";
+    }
+    return text;
+  }();
+  CHECK(framesIn(zeros + '\1' + bytesOf("")).empty());
+  CHECK(line::readFileHead(std::string(line::FileHeadMax, '\1'), "file").error.find("have no frame") != std::string::npos);
+  std::string others;
+  for (int i = 0; i < 600; i++) {
+    others += "\1\2";
+  }
+  CHECK(framesIn(bytesOf("") + others).empty());  // 300 of 1500 bytes are in frames
+  CHECK(framesIn(bytesOf("") + others.substr(0, 800)) == sent);
+  CHECK(line::readFileHead(numbers, "file").kind == line::FileKind::Wrong);
+  for (Frame &frame : sent) {
+    std::replace(frame.begin() + 1, frame.end(), uint8_t{'\n'}, uint8_t{'\v'});
+    std::replace(frame.begin() + 1, frame.end(), uint8_t{0x0F}, uint8_t{0x1F});
+  }
+  CHECK(framesIn(bytesOf("\r\n")) == sent);
+  sent.resize(1);
+  for (const size_t count : {1, 5, 15}) {  // a single frame, as one is posted
+    CHECK(framesIn(bytesOf("") + std::string(count, '\0')) == sent);
+  }
+}
+
 TEST_CASE("what stands before, between and around frames costs none, in any form") {
   struct Between {
     const char *what;

@@ -280,7 +280,7 @@ TEST_CASE("simulators' uneven times and Saleae's dates give the same bytes, and 
     row(edge - 10, high);
     high = !high;
     row(edge, high);
-    const auto ns = static_cast<unsigned long long>(edge) + 999000000;
+    const auto ns = static_cast<unsigned long long>(edge) + 999000567;
     dates += printed("2023-06-%02u", ns < 1000000000 ? 7u : 8u) + printed(ns < 1000000000 ? "T23:59:59.%09llu" : "T00:00:00.%09llu", ns % 1000000000) +
              (high ? "+00:00,1\n" : "+00:00,0\n");
     before = edge;
@@ -291,6 +291,7 @@ TEST_CASE("simulators' uneven times and Saleae's dates give the same bytes, and 
     const Decoded decoded(text);
     CHECK(decoded.error == "");
     CHECK(decoded.bytes() == All);
+    CHECK(decoded.characters.front().startNs % 1000 == (text == dates ? 567 : 0));
     const line::CaptureForm form = line::captureForm(std::string_view(text).substr(0, line::CaptureHeadMax));
     CHECK(line::tooSlow(form.periodNs, 10000) == "");
   }

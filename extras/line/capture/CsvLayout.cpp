@@ -345,18 +345,6 @@ double unitOf(std::string_view title) {
   return ns > 0 ? ns : 1e9;
 }
 
-void splitRow(std::string_view row, char separator, Fields &fields) {
-  fields.clear();
-  while (separator == ' ' && !withoutBlanks(row).empty()) {
-    fields.push_back(takeWord(row));
-  }
-  while (separator != ' ' && !row.empty()) {
-    const size_t size = row.find(separator);
-    fields.push_back(trimmed(row.substr(0, size)));
-    row.remove_prefix(size == std::string_view::npos ? row.size() : size + 1);
-  }
-}
-
 std::string TimeColumn::read(const Fields &fields, double &ns) const {
   const std::string_view field = column < fields.size() ? fields[column] : "";
   int64_t date = 0;

@@ -42,16 +42,14 @@ size_t headersIn(std::string_view bytes, size_t least, size_t most) {
   return count;
 }
 
-// Returns true if each 0A follows 0D, also within frames, and these are too long.
+// Returns true if each 0A follows 0D, and frames are too long.
 bool hasCrLf(std::string_view bytes) {
   constexpr size_t MostMore = 6;
-  size_t pairs = 0, within = 0;
+  size_t pairs = 0;
   for (size_t i = 1; i < bytes.size(); i++) {
-    const bool isPair = bytes[i - 1] == '\r' && bytes[i] == '\n';
-    pairs += isPair;
-    within += isPair && i + 1 < bytes.size() && bytes[i + 1] != sbus::HeaderByte;
+    pairs += bytes[i - 1] == '\r' && bytes[i] == '\n';
   }
-  return within > 0 && std::count(bytes.begin(), bytes.end(), '\n') == static_cast<std::ptrdiff_t>(pairs) &&
+  return pairs > 0 && std::count(bytes.begin(), bytes.end(), '\n') == static_cast<std::ptrdiff_t>(pairs) &&
          headersIn(bytes, sbus::FrameSize + 1, sbus::FrameSize + MostMore) > 0;
 }
 
