@@ -74,8 +74,10 @@ EXPORT(flightRecords)(unsigned size)->void {
   const auto *const records = reinterpret_cast<const Record *>(transfer);
   for (const Record *record = records; record != records + size / sizeof *record; record++) {
     const auto endUs = static_cast<uint64_t>(record->endUs), bytesUs = uint64_t{theTape.settings.characterUs()} * record->size;
-    growing->heard(endUs - std::min(endUs, bytesUs));
-    growing->heard(endUs);
+    if (record->kind <= static_cast<uint8_t>(scope::Kind::NoFrame)) {
+      growing->heard(endUs - std::min(endUs, bytesUs));
+      growing->heard(endUs);
+    }
     if (record->kind <= static_cast<uint8_t>(scope::Kind::Extra)) {
       line::FlightFrame frame{static_cast<line::Stretch::Kind>(record->kind), record->bytes[record->size - 1],
                               static_cast<uint64_t>(record->endUs), static_cast<uint32_t>(record->lateUs),
