@@ -73,7 +73,7 @@ class RecordedCapture {
       return name + ": " + (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));
     }
     recording.beginUs = _times.us(_wire.beginNs());
-    recording.endUs = _times.us(_wire.endNs());
+    recording.endUs = _times.us(_wire.captureEndNs());
     const std::string slow = tooSlow(end.periodNs, _wire.wire().bitNs);
     return slow.empty() ? "" : name + ": " + slow + "; sbus decode shows what can be decoded";
   }

@@ -127,6 +127,7 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
   if (!_decoder) {
     return;
   }
+  _captureEndNs = endNs;
   const bool goesOn = _lastNs >= endNs && !cutOff;
   _endNs = endNs + (goesOn ? static_cast<int64_t>(EndSilenceUs) * 1000 : 0);
   if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {

@@ -45,8 +45,9 @@ class WireDecoder : public LevelSink {
   // an edge and is not `cutOff`: then the wire kept its level, and the last character is taken if it is good.
   void finish(int64_t endNs, bool cutOff);
 
-  // Returns when the capture begins.
+  // Return when the capture begins and, after finish(), when it ends.
   int64_t beginNs() const { return _beginNs; }
+  int64_t captureEndNs() const { return _captureEndNs; }
   // Returns, after finish(), the time up to which the wire is known.
   int64_t endNs() const { return _endNs; }
 
@@ -110,6 +111,7 @@ class WireDecoder : public LevelSink {
   WireCharacter _character;
   int64_t _beginNs = INT64_MAX;
   int64_t _lastNs = INT64_MIN;  // the newest level's time
+  int64_t _captureEndNs = 0;
   int64_t _endNs = 0;
 };
 
