@@ -39,8 +39,12 @@ SettingTrial::SettingTrial(const line::LineSettings &settings) : _settings(setti
 }
 
 void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
+  uint64_t knownUs = 0;  // of a capture that ends in silence
   input.run(
       [this, us](const line::Character &character) {
+        if (_observer.characters() == 0) {
+          _spans.begin(character.endUs - std::min<uint64_t>(character.endUs, _settings.characterUs() + character.lateUs));
+        }
         if (us == ToItsEnd && _observer.characters() == 0) {
           _examination.begin(_observer, character.endUs);
           _lastUs = character.endUs;
@@ -52,15 +56,15 @@ void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
       },
       [&](uint64_t nowUs) {
         _observer.idleUntil(input.knownUs());
+        knownUs = input.hasEnded() ? knownUs : input.knownUs();
         _endUs = us == ToItsEnd ? _lastUs + gapUs() : nowUs;
         if (nowUs >= us && (nowUs >= framesUs || !hasFrames())) {
           input.end();
         }
       });
   _observer.finish();
-  if (us != ToItsEnd) {
-    heardUntil(std::max(_endUs, _lastUs));
-  }
+  heardUntil(std::max(us == ToItsEnd ? knownUs : _endUs, _lastUs));
+  _spans.finish(_lastUs);
   _note = input.note();
 }
 
@@ -141,6 +145,8 @@ void SettingTrial::take(const line::Stretch &stretch) {
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
     _ends.push_back(stretch.endUs());
+    _spans.brokenUntil(stretch.endUs(), stretch.lateUs());
+    _spans.put(stretch.endUs(), false, false, false);
   }
 }
 
@@ -166,6 +172,35 @@ uint64_t SettingTrial::silentUs(uint64_t Silence::*us) const {
   return std::accumulate(_silences.begin(), _silences.end(), uint64_t{0}, [&](uint64_t sum, const Silence &each) {
     return sum + (each.us >= least ? each.*us : 0);
   });
+}
+
+std::string SettingTrial::framesInPart() const {
+  constexpr uint64_t PartUs = 300000;
+  constexpr size_t FramesLeast = 10;  // for each time without: on a line with a wrong setting they come by chance
+  const auto seconds = [](uint64_t us) { return static_cast<double>(us) / 1e6; };
+  std::vector<line::FlagSpan> without = _spans.all();
+  without.erase(std::remove_if(without.begin(), without.end(),
+                               [this](const line::FlagSpan &each) {
+                                 return each.kind != line::FlagSpan::Kind::NoFrames || each.us() < silenceUs();
+                               }),
+                without.end());
+  const uint64_t silent = silentUs(&Silence::us), all = sumUs(without);
+  if (without.empty() || _ends.size() < FramesLeast * without.size()) {
+    return {};
+  }
+  const line::FlagSpan &last = without.back();
+  if (last.fromUs == _ends.back() && last.us() >= PartUs) {
+    const bool isSilent = !_silences.empty() && _silences.back().beginUs + _silences.back().us >= last.toUs &&
+                          2 * _silences.back().us > last.us();
+    return line::format("Frames stop: for the last %.1f s %s.", seconds(last.us()),
+                        isSilent ? "the line is silent" : "bytes come, but no frame");
+  }
+  if (all < silent + PartUs) {
+    return {};
+  }
+  const line::FlagSpan &first = without.front();
+  return first.toUs == _ends.front() ? line::format("Frames begin late: for the first %.1f s bytes come, but no frame.", seconds(first.us()))
+                                     : line::format("Frames in part: for %.1f s bytes come, but no frame.", seconds(all - silent));
 }
 
 // Returns the frame periods without those interrupted by a silence, which may last for hours.

@@ -10,6 +10,7 @@
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
+#include "line/report/FlagSpans.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -56,6 +57,9 @@ class SettingTrial {
   // a busy PC do not count as silence.
   bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
 
+  // Returns, in a sentence, when bytes came but no frame, or that the line went silent, for 0.3 s in all; otherwise "".
+  std::string framesInPart() const;
+
   // Returns the frame period in ms; 0 if it is not known.
   unsigned periodMs() const;
 
@@ -83,6 +87,7 @@ class SettingTrial {
   line::Examination _examination;
   line::Readings _readings;
   std::vector<uint64_t> _ends;  // of the frames, in us
+  line::FlagSpans _spans;
   std::vector<Silence> _silences;
   line::CsvRows _rows;
   bool _isCsv = false;

@@ -50,7 +50,7 @@ TEST_CASE("of any time the store hands over the edges, and the newest one before
 }
 
 TEST_CASE("32 kB keep more than 10000 edges of S.Bus, then no more, and the store says up to when it knows the wire") {
-  line::EdgeStore store(4);
+  line::EdgeStore store(32768);
   for (int i = 0; i < 100000; i++) {
     store.put(int64_t{i} * 30000, i % 2 == 0);  // a pulse of three bits
   }

@@ -151,3 +151,49 @@ TEST_CASE("a recording says when it began, and an older one does not") {
   CHECK_FALSE(line::startIn("# 100000 baud, 8E2, inverted\n120 0F\n"));
   CHECK_FALSE(line::startIn("120 0F\n# format 1, began 2000-02-28T23:59:59.999999Z\n"));
 }
+
+TEST_CASE("a line counts from its first byte or a capture's beginning to its last, with frames or without") {
+  struct {
+    uint64_t beginUs;      // of the capture; 0: it is none
+    uint64_t byteUs[2];    // of bytes that are no frame
+    uint64_t silentToUs;   // known at the end
+    uint64_t fromUs, toUs; // of the flight
+    size_t spans;
+    const char *end;
+  } const table[] = {
+      {0, {0, 0}, 0, 2000000, 2900000, 0, ""},
+      {1950000, {0, 0}, 2990000, 2000000, 2900000, 0, ""},
+      {0, {1000120, 0}, 0, 1000000, 2900000, 1, ""},
+      {500000, {0, 0}, 0, 500000, 2900000, 1, ""},
+      {500000, {1000120, 0}, 0, 500000, 2900000, 1, ""},
+      {0, {0, 3500000}, 0, 2000000, 3500000, 1, "No frames at the end: for the last 0.600 s bytes come, but no frame."},
+      {0, {0, 2950000}, 4000000, 2000000, 4000000, 1, "No frames at the end: for the last 1.100 s the line is silent."},
+      {0, {1000120, 3500000}, 4000000, 1000000, 4000000, 2, "No frames at the end: for the last 1.100 s bytes come, but no frame."},
+  };
+  for (const auto &row : table) {
+    CAPTURE(&row - table);
+    line::ObservedFlight flight(line::CharacterUs);
+    if (row.beginUs > 0) {
+      flight.begin(row.beginUs);
+    }
+    if (row.byteUs[0] > 0) {
+      flight.put({row.byteUs[0], 0x55});
+    }
+    for (uint64_t us = 2000000; us <= 2900000; us += 9000) {
+      fly(flight, us, false, false);
+    }
+    if (row.byteUs[1] > 0) {
+      flight.put({row.byteUs[1], 0x55});
+    }
+    if (row.silentToUs > 0) {
+      flight.idleUntil(row.silentToUs);
+    }
+    flight.idleUntil(9000000, true);
+    flight.finish();
+    CHECK(flight.log().fromUs() == row.fromUs);
+    CHECK(flight.log().toUs() == row.toUs);
+    CHECK(flight.log().spans(line::FlagSpan::Kind::NoFrames).size() == row.spans);
+    CHECK(flight.log().endText() == row.end);
+    CHECK((line::verdictOf(flight.log()).severity == line::FlightVerdict::Severity::Good) == (row.spans == 0));
+  }
+}

@@ -108,3 +108,41 @@ TEST_CASE("what came before an error is decoded") {
     CHECK(decoded.bytes() == part(All, 0, endsWithEdge ? 99 : 100));
   }
 }
+
+TEST_CASE("all that comes before a capture's first frame is decoded, or the part from a gap on that fits in memory") {
+  constexpr size_t Packets = 400;  // of 24 bytes: no frame
+  TestWire wire;
+  for (size_t i = 0; i < Packets; i++) {
+    Bytes bytes(24, static_cast<uint8_t>(i));
+    bytes[0] = 0x0F;
+    wire.bytes(bytes);
+    wire.gap(4000000);
+  }
+  const size_t packetEdges = wire.edges.size();
+  for (const KnownFrame &frame : KnownFrames) {
+    wire.bytes(frame.bytes);
+    wire.gap(4000000);
+  }
+  for (const bool hasFrames : {false, true}) {
+    for (const size_t keptMax : {size_t{64} << 20, size_t{1}}) {
+      CAPTURE(hasFrames);
+      CAPTURE(keptMax);
+      std::vector<WireCharacter> characters;
+      line::WireDecoder decoder({}, [] {}, [&](const WireCharacter &character) { characters.push_back(character); }, nullptr, keptMax);
+      decoder.signals({"RX"});
+      decoder.level(0, 0, false);
+      const size_t edges = hasFrames ? wire.edges.size() : packetEdges;
+      for (size_t i = 0; i < edges; i++) {
+        decoder.level(0, static_cast<int64_t>(wire.edges[i]), i % 2 == 0);
+      }
+      decoder.finish(static_cast<int64_t>(hasFrames ? wire.ns : wire.edges[edges - 1] + 1e6), false);
+      REQUIRE(decoder.found());
+      const size_t all = 24 * Packets + (hasFrames ? All.size() : 0);
+      CHECK(std::none_of(characters.begin(), characters.end(), [](const WireCharacter &each) { return each.bad(); }));
+      CHECK((characters.size() == all) == (keptMax > 1));
+      CHECK(decoder.note().empty() == (keptMax > 1));
+      CHECK(characters.size() >= 192);  // a sample of 1024 edges at least
+      CHECK(decoder.wire().frames == (hasFrames ? 4 : 0));
+    }
+  }
+}

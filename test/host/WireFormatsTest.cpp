@@ -263,3 +263,36 @@ TEST_CASE("the VCD of a recording reads as the recording: bytes, times, characte
     }
   }
 }
+
+TEST_CASE("simulators' uneven times and Saleae's dates give the same bytes, and a period that a bit holds often") {
+  const TestWire wire = wireOf();
+  std::string ltspice = "time\tV(sbus)\n", ngspice, dates = "Time,Channel 0\n2023-06-07T23:59:59.999000000+00:00,0\n";
+  const auto row = [&](double ns, bool high) {
+    ltspice += printed("%.15e\t%.6e\n", ns / 1e9, high ? 3.3 : 0.0);
+    ngspice += printed(" %.8e  %.8e \n", ns / 1e9, high ? 3.3 : 0.0);
+  };
+  double before = 0;
+  bool high = false;
+  for (const double edge : wire.edges) {
+    for (double ns = before + 50000; ns < edge - 1000; ns += 50000) {  // coarse where nothing happens
+      ltspice += printed("%.15e\t%.6e\n", ns / 1e9, high ? 3.3 : 0.0);
+    }
+    row(edge - 10, high);
+    high = !high;
+    row(edge, high);
+    const auto ns = static_cast<unsigned long long>(edge) + 999000567;
+    dates += printed("2023-06-%02u", ns < 1000000000 ? 7u : 8u) + printed(ns < 1000000000 ? "T23:59:59.%09llu" : "T00:00:00.%09llu", ns % 1000000000) +
+             (high ? "+00:00,1\n" : "+00:00,0\n");
+    before = edge;
+  }
+  row(wire.ns, high);
+  for (const std::string &text : {ltspice, ngspice, dates}) {
+    INFO(text.substr(0, 200));
+    const Decoded decoded(text);
+    CHECK(decoded.error == "");
+    CHECK(decoded.bytes() == All);
+    CHECK(decoded.characters.front().startNs % 1000 == (text == dates ? 567 : 0));
+    const line::CaptureForm form = line::captureForm(std::string_view(text).substr(0, line::CaptureHeadMax));
+    CHECK(line::tooSlow(form.periodNs, 10000) == "");
+  }
+}

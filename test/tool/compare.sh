@@ -51,6 +51,13 @@ line b.json 1 'us = int(us * 1.00005)'
 compare a.json b.json
 said "3000 3000 0 0 3000 0 0 0 delay 725 50 1400 drift 50.0" "a clock that is 50 ppm slow"
 
+# A line that goes on without frames has lost the other's: 100 at its beginning, 200 at its end.
+"$SBUS" record sim -o "$work/a.txt" --simulated-time --seconds 9 2>"$work/err"
+awk '/^#/ { print; next } $2 == "0F" { i++ } i <= 100 || i > 600 { $2 = "55"; $3 = "AA"; $0 = $1 " 55 AA 55 AA" } i <= 800 { print }' "$work/a.txt" >"$work/b.txt"
+compare a.txt b.txt
+read -r a b alone y same different by_a by_b rest <"$work/sum"
+[ "$b $same $different $by_a" = "500 500 0 0" ] && [ "$by_b" -eq 298 ] && [ $((by_b + alone + 500)) -eq "$a" ] && [ "$(spans | wc -l)" -eq 2 ] || { cat "$work/sum" "$work/json"; false; }
+verdict $? "a line without frames at its beginning and its end has lost them: $by_b, and not the $alone after its end"
 line b.json 1 'us = int(us * 1.01)'
 for names in "a.json b.json" "b.json a.json"; do
   compare $names

@@ -140,6 +140,20 @@ WAYS = {
     "frames and AA 55": lines(lambda data, i: UPPER(data + b"\xAA\x55")),
     "frames that end in 08, without their tail": lines(lambda data, i: UPPER(data[:-1] + b"\x08")),
     "frames and zeros in decimal": lines(lambda data, i: DECIMAL(data + bytes(7))),
+    "a number and a length": lines(lambda data, i: f"{16 + i // 2} 25 {UPPER(data)}"),
+    "a clock and a comma": lines(lambda data, i: f"2026-11-24 15:16:{16 + i},{UPPER(data)}"),
+    "a clock and a semicolon": lines(lambda data, i: f"24.11.2026 15:16:{16 + i};{UPPER(data)}"),
+    "a clock and a pipe, decimal": lines(lambda data, i: f"15:16:{16 + i} | {numbers('%d', ' ')(data)}"),
+    "a count and commas, decimal": lines(lambda data, i: f"{1234 + 9 * i},{numbers('%d', ',')(data)}"),
+    "zeros before frames": lines(lambda data, i: UPPER(bytes(1) + data)),
+    "frames and CR LF, 16 a line": rows(b"".join(each + b"\r\n" for each in FRAMES), 16, lambda at, row: UPPER(row)),
+    "C array in decimal over lines": "const uint8_t PACKETS[] = {\n" + rows(ALL, 5, lambda at, row: "    " + DECIMAL(row) + ",") + "};\n",
+    "a numbered byte a line": "".join(f"[{i % 25}] = 0x{byte:02X}\n" for i, byte in enumerate(ALL)),
+    "a number and a byte": "".join(f"{i:3} {byte:02X}\n" for i, byte in enumerate(ALL)),
+    "a terminal's log": "Terminal log file\nDate: 28.11.2026 - 06:10:46\n-----\n" + lines(UPPER) + "-----\nDate: 28.11.2026 - 06:10:52\nEnd log file\n",
+    "socat -x": lines(lambda data, i: f"> 2026/11/24 15:16:17.{9000 * i:06}  length=25 from={25 * i} to={25 * i + 24}\n {LOWER(data)}\n--"),
+    "candump": rows(ALL, 8, lambda at, row: f"  can0  123   [{len(row)}]  {UPPER(row)}"),
+    "sigrok-cli -A uart=rx-data": "".join(f"uart-1: {byte:02X}\n" for byte in ALL),
     "0x and tabs": lines(numbers("0x%02X", "\t")),
 }
 
@@ -155,7 +169,7 @@ OTHERS = {
 }
 
 # What tools print, by the tools. {} is the file.
-TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -u {}", "xxd -p {}", "xxd -ps -c 25 {}", "xxd -i {}",
+TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -u {}", "xxd -e {}", "xxd -e -g 2 {}", "xxd -p {}", "xxd -ps -c 25 {}", "xxd -i {}",
          "hexdump -v -C {}", "hexdump -v {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
          "od -v -x {}", "od -v -t x1 {}", "od -v -A x -t x1 {}", "od -v -A d -t x1 {}", "od -A n -v -t x1 {}", "od -An -v -tx1 -w25 {}"]
 

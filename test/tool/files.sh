@@ -127,6 +127,9 @@ for source in "$work/endless.txt" -; do
   verdict $? "a line of 40000000 characters is named with its place: $(cat "$work/err")"
 done
 
+# Lines that a terminal program writes around bytes, prose around what is posted, and a declaration are no bytes.
+printf 'CoolTerm Capture (a.txt) 2021-05-11 18:12:30\n%s\n%s\n' "$frame" "$frame" | written coolterm.txt
+printf 'I get this:\n```\n%s\n%s\n```\nWhat is wrong?\n' "$frame" "$frame" | written post.txt
 # rejected NAME MESSAGE: standard input is a file of another kind
 rejected() {
   cat >"$work/$1"
@@ -137,8 +140,18 @@ rejected() {
 want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"and\"$want"
-printf 'CoolTerm Capture (a.txt) 2021-05-11 18:12:30\n%s\n%s\n' "$frame" "$frame" | rejected coolterm.txt ":1: \"CoolTerm\"$want"
+
 printf '00001111 11100011\n' | rejected bits.txt ':1: "11100011" is not a byte: one or two hexadecimal digits are expected'
+printf 'uart-1: Start bit\nuart-1: 1\nuart-1: 1\nuart-1: 1\nuart-1: 1\nuart-1: 0\nuart-1: 0\nuart-1: 0\nuart-1: 0\nuart-1: 0F\n' |
+  rejected sigrok.txt ": is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
+printf 'libsigrok 0.5.2\nAcquisition with 1/1 channels at 1 MHz\nSBUS:00000000 00000000\n' |
+  rejected samples.txt ": is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data prints a decoder's bytes"
+printf '(1436509052.249713) can0 123#0FE5031FF8C0073E\n' | rejected candump.log ": is candump's log: log2long < FILE prints bytes that are read"
+dump=': is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v -t x1 prints one that is read'
+for tool in od 'od -b' 'od -c' 'od -t u1' 'hexdump -b' 'xxd -b'; do
+  # shellcheck disable=SC2086  # the tool's arguments are words
+  ! command -v "${tool%% *}" >"$work/out" || $tool "$work/bytes.bin" | rejected "$(echo "$tool" | tr ' ' _).txt" "$dump"
+done
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
 printf '\376\377\0000\000F' | rejected utf16.txt ': is text in UTF-16 with the mark FE FF: save it as UTF-8'
 printf '0Fh E3h\n' | rejected suffix.txt ':1: "0Fh" is not a time: a whole number of microseconds is expected, or a # comment; without times, bytes such as 0F E3'

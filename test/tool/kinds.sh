@@ -96,6 +96,10 @@ def changes(name, code):
         elif line[0] in "01":
             yield us, line[0] + code
 both = sorted(list(changes("line.vcd", "!")) + list(changes("other.vcd", "%")), key=lambda change: change[0])
+for name, code in ("line.vcd", "!"), ("other.vcd", "%"):  # all end at the same time
+    if list(changes(name, code))[-1][0] < both[-1][0]:
+        with open(name, "a") as file:
+            file.write(f"#{both[-1][0]}\n")
 with open("two.vcd", "w") as file:
     file.write("$timescale 1 us $end\n$var wire 1 ! TAIL $end\n$var wire 1 % MAIN $end\n$enddefinitions $end\n")
     for us, change in both:

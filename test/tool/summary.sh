@@ -107,6 +107,35 @@ awk 'BEGIN {
 [ "$(grep -cE '^PC late +11 times$|^no frames +1 time$' "$work/text")" -eq 2 ] && grep -q ' 1500 frames, ' "$work/text" &&
   [ "$("$SBUS" summary --json "$work/stalls.txt" | grep -c '"kind":"late"')" -eq 11 ]
 verdict $? "summary of a clean line read late by a busy PC has only the silence of a cut wire"
+# Frames from 1 s to 2 s; before them, after them, or both, bytes that are none for 1 s.
+for part in head tail both; do
+  awk -v "part=$part" 'BEGIN {
+    for (us = 120; us < 3000000; us += 9000) {
+      second = int(us / 1000000)
+      if (second == 1) print us, "0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00"
+      else if (part == "both" || part == (second == 0 ? "head" : "tail")) print us, "55 AA 55 AA 55 AA 55"
+    }
+  }' >"$work/$part.txt"
+  "$SBUS" summary "$work/$part.txt" -o - | sed -n 's/.*class="verdict bad">\([^<]*\)<.*/\1/p; s/^<p>\([0-9.]* s long\): .*/\1/p' >"$work/$part.words"
+done
+cat "$work/head.words" "$work/tail.words" "$work/both.words" >"$work/text"
+cat >"$work/wanted" <<'END'
+2.001 s long
+No frames 1 time, 1.0 s in all, at the beginning; 0.00 % of the frames lost.
+1.986 s long
+No frames 1 time, 1.0 s in all, at the end; 0.00 % of the frames lost.
+2.997 s long
+No frames 2 times, 2.0 s in all, at the beginning and at the end; 0.00 % of the frames lost.
+END
+diff "$work/wanted" "$work/text" && "$SBUS" summary "$work/head.txt" | grep -A 1 '^no frames    1 time, 1.011 s in all' | grep -q ' 0.000 s to *1.011 s' &&
+  "$SBUS" summary "$work/tail.txt" | grep -q '^finding      No frames at the end: for the last 0.9[89][0-9] s bytes come, but no frame.$'
+verdict $? "bytes without a frame before the first one and after the last one count"
+# A capture whose wire goes silent before its end: an edge of another signal tells that it goes on.
+"$SBUS" wave "$work/clean.txt" -o "$work/clean.vcd" && sed 's/^\$enddefinitions/$var wire 1 x OTHER $end\n&/; $a#12000000\n0x' "$work/clean.vcd" >"$work/silent.vcd"
+"$SBUS" summary "$work/silent.vcd" >"$work/text"; "$SBUS" doctor "$work/silent.vcd" >>"$work/text"
+grep -qE '^finding      No frames at the end: for the last (2.9[0-9]*|3.0[0-9]*) s the line is silent.$' "$work/text" &&
+  grep -qE '^Frames stop: for the last (2.9|3.0) s the line is silent.$' "$work/text" || { cat "$work/text"; false; }
+verdict $? "a wire that falls silent before its capture ends has no frames there, for summary and doctor"
 # The same frames as in test/scope/held.mjs: 150 lost ones in a row are failsafe from the hundredth on.
 awk 'BEGIN {
   for (i = 0; i < 160; i++) {

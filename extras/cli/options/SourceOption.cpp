@@ -41,6 +41,8 @@ void cut(const std::string &name, FileSource &file, const PartOption &part) {
       file.recording.characters.push_back(character);
     }
   }
+  file.recording.beginUs = std::max(file.recording.beginUs, part.fromUs(file.zeroUs));
+  file.recording.endUs = std::min(file.recording.endUs, part.toUs(file.zeroUs) > 0 ? part.toUs(file.zeroUs) : UINT64_MAX);
   if (file.recording.characters.empty()) {
     throw std::runtime_error(name + emptyPart(static_cast<int64_t>(all[0].endUs) + file.zeroUs,
                                               static_cast<int64_t>(all.back().endUs) + file.zeroUs));

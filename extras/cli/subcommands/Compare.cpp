@@ -72,7 +72,7 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   for (const size_t side : {size_t{0}, size_t{1}}) {
     text += std::string(Names[side]) + "            " + names[side] + ": " + counted(counts.frames[side], "frame") +
             (counts.alone[side] > 0
-                 ? line::format(", %lu before the first or after the last of %s", counts.alone[side], Names[1 - side])
+                 ? line::format(", %lu before the beginning or after the end of %s", counts.alone[side], Names[1 - side])
                  : "") +
             '\n';
   }
@@ -163,7 +163,7 @@ class Compared {
             [this](uint64_t nowUs) {
               _line.observer().idleUntil(_input->knownUs());
               // An unplugged port reports no times: assume that it has been silent for all but the last second.
-              _line.knownUntil(std::max(_input->knownUs(), nowUs - std::min(nowUs, LateMostUs)));
+              _line.knownUntil(std::max(_input->knownUs(), nowUs - std::min(nowUs, LateMostUs)), _input->hasEnded());
               _silence.tick(nowUs, _line.observer().counters().frames > 0);
             }};
   }

@@ -270,6 +270,9 @@ void decode(const Options &options, const Put &record) {
   }
   const line::Observer &observer = frames.finish(wire.endNs());
   output.end(options.capture, capture, observer);
+  if (!wire.note().empty()) {
+    std::fprintf(stderr, "%s: %s\n", options.capture.c_str(), wire.note().c_str());
+  }
   flush();
   if (!capture.error.empty()) {
     throw std::runtime_error(capture.error + "; the part before it is " +

@@ -121,6 +121,10 @@ std::optional<Verdict> verdictOnSource(const SourceOption &source,
 
 Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {
   const bool well = line::isWell(finding);
+  const std::string part = well || finding == sbus::Finding::NoFrames ? best.framesInPart() : "";
+  if (!part.empty()) {
+    return {false, part, "What changed then: the sender, its settings, the wire? sbus summary lists the times."};
+  }
   if (well && best.isInterrupted()) {
     return {false, "Interruptions: frames come, but the line is idle now and then.",
             "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary "

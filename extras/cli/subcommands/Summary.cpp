@@ -85,7 +85,15 @@ bool isOtherSender(sbus::Finding finding) {
 // Returns what `sbus doctor` finds, if nothing else in a summary tells it.
 std::string findingText(sbus::Finding finding) {
   const bool isShown = finding == sbus::Finding::Noise || finding == sbus::Finding::LongPeriod || isOtherSender(finding);
-  return isShown ? "finding      " + std::string(sbus::text(finding)) + '\n' : "";
+  return isShown ? std::string(sbus::text(finding)) : "";
+}
+
+std::string findings(const std::vector<std::string> &all) {
+  std::string text;
+  for (const std::string &each : all) {
+    text += each.empty() ? "" : "finding      " + each + '\n';
+  }
+  return text;
 }
 
 std::string text(const line::FlightLog &flight, const SourceOption &source, sbus::Finding finding) {
@@ -95,7 +103,7 @@ std::string text(const line::FlightLog &flight, const SourceOption &source, sbus
          line::format(
              "%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
              counts.frames, counts.lostFrames, counts.failsafeFrames, counts.discardedBytes, counts.characterErrors) +
-         (damage.empty() ? findingText(finding) : "finding      " + damage + '\n') +
+         findings({damage.empty() ? findingText(finding) : damage, source.hasTimes() ? flight.endText() : ""}) +
          (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 
@@ -145,6 +153,9 @@ void run(const SourceOption &source, const Options &options) {
   SilenceNote silence(source.name(), "frames", source.isFile());
   line::Examination examination;
   uint64_t lastUs = 0;
+  if (source.isFile() && source.file().isCapture()) {
+    flight.begin(source.file().recording.beginUs);
+  }
   input->endOnFailure();  // frames before a wrong line are summarised all the same
   input->run(
       [&](const line::Character &character) {
@@ -155,7 +166,7 @@ void run(const SourceOption &source, const Options &options) {
         flight.put(character);
       },
       [&](uint64_t nowUs) {
-        flight.idleUntil(input->knownUs());
+        flight.idleUntil(input->knownUs(), input->hasEnded());
         silence.tick(nowUs, flight.any());
       });
   flight.finish();
@@ -198,7 +209,8 @@ void addSummary(CLI::App &app) {
           .type("FILE.html");
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. "
+      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more, "
+      "from the first byte, or a capture's beginning, to the last. "
       "PC late: bytes came 0.1 s late or "
       "more, from a busy PC or a stalled adapter, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });

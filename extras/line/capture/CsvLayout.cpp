@@ -5,6 +5,7 @@
 
 #include "line/capture/Capture.h"
 #include "line/capture/Parsing.h"
+#include "line/recording/WallTime.h"
 
 namespace line {
 
@@ -41,8 +42,25 @@ bool isNumber(std::string_view field) {
   return parseNumber(field, value);
 }
 
+// Reads a date as Saleae's Logic 2 writes it, 2023-06-07T20:59:59.001500000+00:00, in ns since 1970.
+bool parseDate(std::string_view field, int64_t &ns) {
+  constexpr size_t Seconds = 19;  // characters up to them
+  if (field.size() <= Seconds || field[10] != 'T' || field[Seconds] != '.') {
+    return false;
+  }
+  const size_t end = std::min(field.find_first_not_of("0123456789", Seconds + 1), field.size());
+  std::string digits(field.substr(Seconds + 1, end - Seconds - 1));
+  digits.resize(9, '0');
+  int64_t us = 0, rest = 0;
+  const bool is = parseWallTime(std::string(field.substr(0, Seconds + 1)) + digits.substr(0, 6) + "Z", us);
+  parseWhole(std::string_view(digits).substr(6), rest);
+  ns = us * 1000 + rest;
+  return is;
+}
+
 bool isValue(std::string_view field) {
-  return field.empty() || isLogic(field) || isNumber(field);
+  int64_t ns;
+  return field.empty() || isLogic(field) || isNumber(field) || parseDate(field, ns);
 }
 
 bool isRow(const Fields &fields) {
@@ -185,13 +203,19 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
 
 char separatorOf(std::string_view head) {
   size_t lines[Separators.size()] = {};
+  bool areExponents = true;  // ngspice's wrdata puts blanks between numbers such as 1.00999000e-03
   while (!head.empty()) {
     const std::string_view line = takeLine(head);
+    std::string_view words = line;
+    for (std::string_view word = takeWord(words); !word.empty() && areExponents && !head.empty(); word = takeWord(words)) {
+      areExponents = isNumber(word) && word.find('e') != word.npos;
+    }
     for (size_t i = 0; i < Separators.size(); i++) {
       lines[i] += line.find(Separators[i]) != std::string_view::npos;
     }
   }
-  return Separators[static_cast<size_t>(std::max_element(lines, lines + Separators.size()) - lines)];
+  const auto *const most = std::max_element(lines, lines + Separators.size());
+  return *most == 0 && areExponents ? ' ' : Separators[static_cast<size_t>(most - lines)];
 }
 
 // Returns true if each value is greater than the previous one; by one, if the column `counts`.
@@ -254,6 +278,7 @@ void takeColumns(const std::vector<Fields> &rows, const Header &header, CsvLayou
     layout.time.column = columns[0];
     const bool isSigrok = header.program == "PulseView" && header.periodNs > 0;
     layout.time.unitNs = isSigrok ? sigrokUnitNs(header.periodNs) : unitOf(title(0));
+    parseDate(rows.front()[columns[0]], layout.time.zeroNs);
     columns.erase(columns.begin());
   }
   layout.signals = signalsOf(header, columns);
@@ -267,11 +292,23 @@ bool areVoltages(const std::vector<Fields> &rows, const std::vector<CsvSignal> &
   });
 }
 
-// Measures the time between two rows, each a sample.
+// Measures the time between two rows, each a sample: the mean, unless a simulator has sampled more often at the edges.
 void measurePeriod(const std::vector<Fields> &rows, CsvLayout &layout) {
-  double begin, end;
-  if (layout.time.read(rows.front(), begin).empty() && layout.time.read(rows.back(), end).empty()) {
-    layout.periodNs = (end - begin) / static_cast<double>(rows.size() - 1);
+  std::vector<double> times, periods;
+  for (const Fields &row : rows) {
+    double ns;
+    if (layout.time.read(row, ns).empty()) {
+      times.push_back(ns);
+    }
+  }
+  for (size_t i = 1; i < times.size(); i++) {
+    periods.push_back(times[i] - times[i - 1]);
+  }
+  if (!periods.empty()) {
+    const double mean = (times.back() - times.front()) / static_cast<double>(periods.size());
+    const auto often = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 10);
+    std::nth_element(periods.begin(), often, periods.end());
+    layout.periodNs = *often > 0 && *often < mean / 2 ? *often : mean;
   }
 }
 
@@ -308,21 +345,16 @@ double unitOf(std::string_view title) {
   return ns > 0 ? ns : 1e9;
 }
 
-void splitRow(std::string_view row, char separator, Fields &fields) {
-  fields.clear();
-  while (!row.empty()) {
-    const size_t size = row.find(separator);
-    fields.push_back(trimmed(row.substr(0, size)));
-    row.remove_prefix(size == std::string_view::npos ? row.size() : size + 1);
-  }
-}
-
 std::string TimeColumn::read(const Fields &fields, double &ns) const {
   const std::string_view field = column < fields.size() ? fields[column] : "";
-  if (!parseNumber(field, ns, decimalMark)) {
+  int64_t date = 0;
+  if (parseDate(field, date)) {
+    ns = static_cast<double>(date - zeroNs);
+  } else if (parseNumber(field, ns, decimalMark)) {
+    ns *= unitNs;
+  } else {
     return quoted(field) + " is not a time: a number is expected in column " + std::to_string(column + 1);
   }
-  ns *= unitNs;
   return std::abs(ns) <= static_cast<double>(CaptureTimeMaxNs) ? "" : "a time is beyond a year: is its unit right?";
 }
 

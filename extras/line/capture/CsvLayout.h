@@ -7,12 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "line/recording/Words.h"
+
 namespace line {
-
-using Fields = std::vector<std::string_view>;
-
-// Sets the fields of a row. A separator at its end does not begin another field.
-void splitRow(std::string_view row, char separator, Fields &fields);
 
 // Returns true if `text` has one of these words, in any case. A micro sign in any encoding counts as u.
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> words);
@@ -30,6 +27,7 @@ struct TimeColumn {
   size_t column = None;
   double unitNs = 1e9;
   char decimalMark = '.';
+  int64_t zeroNs = 0;  // of dates: the first row's, in ns since 1970
 
   // Reads a row's time. Returns what is wrong, or nothing.
   std::string read(const Fields &fields, double &ns) const;

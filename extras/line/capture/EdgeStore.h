@@ -2,6 +2,7 @@
 // every 9 ms takes 147 MB if all its channels move.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,7 +12,8 @@ namespace line {
 
 class EdgeStore {
  public:
-  explicit EdgeStore(size_t blocksMax = BlocksMax) : _blocksMax(blocksMax) {}
+  // Keeps edges in at most `bytesMax`, or in one block.
+  explicit EdgeStore(size_t bytesMax = BytesMax) : _blocksMax(std::max<size_t>(1, bytesMax / BlockSize)) {}
 
   // Takes the wire's level from `ns` on. Times never go back. Ignores a level that is not a change, and all levels once
   // the store is full.
@@ -39,7 +41,7 @@ class EdgeStore {
 
  private:
   static constexpr size_t BlockSize = 8192;
-  static constexpr size_t BlocksMax = (size_t{160} << 20) / BlockSize;
+  static constexpr size_t BytesMax = size_t{160} << 20;
   static constexpr size_t ExactBlocks = 512;
   static constexpr size_t LongestDelta = 10;  // bytes
 
@@ -87,7 +89,7 @@ class EdgeStore {
   // Returns the index of the last block that begins by then; 0 without one.
   size_t blockBefore(int64_t ns) const;
 
-  const size_t _blocksMax;
+  size_t _blocksMax;
   bool _isWhole = true;
   std::vector<std::unique_ptr<Block>> _blocks;
 };

@@ -14,13 +14,17 @@ namespace line {
 // its own time 0, the trigger's.
 class CaptureTimes {
  public:
-  void begin(const FoundWire &wire) { _characterNs = wire.settings.format.bits() * wire.bitNs; }
+  // Takes the wire, and when the capture begins.
+  void begin(const FoundWire &wire, int64_t beginNs = 0) {
+    _characterNs = wire.settings.format.bits() * wire.bitNs;
+    _zeroNs = floor(beginNs);
+  }
 
-  // Returns the character with its time. Time 0 is the capture's, or the beginning of an earlier first character.
+  // Returns the character with its time. Time 0 is the capture's, or its beginning if that is earlier.
   Character of(const WireCharacter &character) {
     if (!_begun) {
       _begun = true;
-      _zeroNs = std::min<int64_t>(0, character.startNs - 999) / 1000 * 1000;
+      _zeroNs = std::min(_zeroNs, floor(character.startNs));
     }
     return character.since(_zeroNs, _characterNs);
   }
@@ -32,6 +36,9 @@ class CaptureTimes {
   uint64_t us(int64_t ns) const { return static_cast<uint64_t>(std::max<int64_t>(0, ns - _zeroNs) / 1000); }
 
  private:
+  // Returns a time below 0 in whole microseconds, or 0.
+  static int64_t floor(int64_t ns) { return std::min<int64_t>(0, ns - 999) / 1000 * 1000; }
+
   bool _begun = false;
   int64_t _zeroNs = 0;
   double _characterNs = 0;
@@ -42,7 +49,7 @@ class RecordedCapture {
   // `keepsEdges`: edges() has them; they take as much memory as the characters.
   explicit RecordedCapture(const Overrides &overrides, bool keepsEdges)
       : _wire(
-            overrides, [this] { _times.begin(_wire.wire()); },
+            overrides, [this] { _times.begin(_wire.wire(), _wire.beginNs()); },
             [this](const WireCharacter &character) {
               recording.characters.push_back(_times.of(character));
               recording.zeroUs = _times.zeroNs() / 1000;
@@ -55,7 +62,7 @@ class RecordedCapture {
   WireDecoder &wire() { return _wire; }
 
   // Returns, after the end, why it cannot be played; nothing if it can. `name`: the file's.
-  std::string failure(const std::string &name, const CaptureEnd &end) const {
+  std::string failure(const std::string &name, const CaptureEnd &end) {
     if (!end.rejection.empty()) {
       return end.rejection;
     }
@@ -65,6 +72,8 @@ class RecordedCapture {
     if (recording.characters.empty()) {
       return name + ": " + (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));
     }
+    recording.beginUs = _times.us(_wire.beginNs());
+    recording.endUs = _times.us(_wire.captureEndNs());
     const std::string slow = tooSlow(end.periodNs, _wire.wire().bitNs);
     return slow.empty() ? "" : name + ": " + slow + "; sbus decode shows what can be decoded";
   }

@@ -72,17 +72,20 @@ bool Threshold::find(const std::vector<double> &volts) {
 
 bool Threshold::lasts(const std::vector<double> &volts) const {
   size_t high = 0;
-  size_t changes = 0;
+  size_t changes = 0, run = 2, singles = 0;
   bool wasHigh = volts.front() > middle();
   for (const double v : volts) {
     const bool is = std::isnan(v) ? wasHigh : isHigh(v, wasHigh);
     changes += is != wasHigh;
+    singles += is != wasHigh && run == 1;
+    run = is != wasHigh ? 1 : run + 1;
     high += is;
     wasHigh = is;
   }
   constexpr size_t SamplesMin = 2;
   const size_t pulses = changes / 2 + 1;
-  return changes > 0 && std::min(high, volts.size() - high) >= SamplesMin * pulses;
+  const bool isEachLong = singles == 0;  // a simulator may print the ends of each pulse alone
+  return changes > 0 && (isEachLong || std::min(high, volts.size() - high) >= SamplesMin * pulses);
 }
 
 // Starts over if the swing is now much larger than before: then everything before was noise.

@@ -91,7 +91,9 @@ std::string VcdReader::endSection() {
       return "there is no $timescale before this line: one such as $timescale 1 us $end is expected";
     }
     if (_names.empty()) {
-      return "there is no variable of bits before this line: one such as $var wire 1 ! SBUS $end is expected";
+      return std::string("there is no variable of bits before this line") +
+             (_hasReals ? ", but of real numbers: export the signal as CSV, whose voltages are read"
+                        : ": one such as $var wire 1 ! SBUS $end is expected");
     }
     _inBody = true;
     _sink.signals(_names);
@@ -104,6 +106,7 @@ std::string VcdReader::defineVariable() {
     return "a variable is not complete: type, number of bits, code and name are expected";
   }
   double width;
+  _hasReals = _hasReals || _words[0] == "real";
   if (_words[0] == "real" || !parseNumber(_words[1], width) || !(width >= 1) ||
       static_cast<double>(_names.size()) + width > static_cast<double>(SignalsMax)) {
     return {};

@@ -30,6 +30,7 @@ class VcdReader : public CaptureReader {
   size_t signalOf(std::string_view code) const;
 
   bool _inBody = false;
+  bool _hasReals = false;
   bool _passing = false;      // ignores words up to $end; in the body, a comment's
   bool _codeFollows = false;  // the code of a vector, a real or a string is next
   std::string _bits;          // that vector's value

@@ -23,15 +23,31 @@ void WireDecoder::signals(const std::vector<std::string> &names) {
     const std::string inQuotes = quoted(name);
     _names.push_back(inQuotes.substr(1, inQuotes.size() - 2));
   }
-  _samples.resize(names.size());
+  for (size_t i = 0; i < names.size(); i++) {
+    _collected.emplace_back(_keptMax / names.size());
+  }
 }
 
 void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
-  std::vector<Level> &sample = _samples[signal];
+  constexpr int64_t GapNs = 200000;  // longer than the bits of a character that are alike
+  Collected &collected = _collected[signal];
+  std::vector<Level> &sample = collected.sample;
   if (!isWanted(signal) || (!sample.empty() && sample.back().high == high)) {
     return;
   }
   sample.push_back({ns, high});
+  // If they are too many, those of the sample count, from a gap on.
+  const auto isGap = [](const Level &level, const Level &next) { return next.ns - level.ns >= GapNs; };
+  if (!collected.kept.isWhole() && isGap(*(sample.end() - 2), sample.back())) {
+    auto level = std::adjacent_find(sample.begin(), sample.end(), isGap);
+    collected.fromNs = level->ns;
+    collected.kept = EdgeStore(_keptMax / _names.size());
+    for (; level != sample.end(); ++level) {
+      collected.kept.put(level->ns, level->high);
+    }
+  } else {
+    collected.kept.put(ns, high);
+  }
   if (sample.size() < SampleMax) {
     return;
   }
@@ -43,8 +59,8 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
 }
 
 void WireDecoder::choose() {
-  for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i], _overrides);
+  for (size_t i = 0; i < _collected.size(); i++) {
+    const FoundWire wire = findWire(_collected[i].sample, _overrides);
     if (wire.frames == 0) {
       continue;
     }
@@ -64,12 +80,13 @@ void WireDecoder::choose() {
 
 // Decodes the only signal even without a frame: bits copied from an oscilloscope's picture may be less than one.
 void WireDecoder::chooseOnly() {
-  if (_overrides.signal.empty() && _samples.size() != 1) {
+  if (_overrides.signal.empty() && _collected.size() != 1) {
     return;
   }
-  for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i], _overrides);
-    if (isWanted(i) && wire.hasCharacters() && (_overrides.baud != 0 || hasBits(_samples[i]))) {
+  for (size_t i = 0; i < _collected.size(); i++) {
+    const std::vector<Level> &sample = _collected[i].sample;
+    const FoundWire wire = findWire(sample, _overrides);
+    if (isWanted(i) && wire.hasCharacters() && (_overrides.baud != 0 || hasBits(sample))) {
       _wire = wire;
       _chosen = i;
       begin();
@@ -81,10 +98,23 @@ void WireDecoder::chooseOnly() {
 void WireDecoder::begin() {
   _decoder.emplace(_wire.settings, _wire.bitNs);
   _onFound();
-  for (const Level &level : _samples[_chosen]) {
-    decode(level.ns, level.high);
+  const Collected &chosen = _collected[_chosen];
+  if (chosen.kept.isWhole()) {
+    _decodedNs = chosen.fromNs;
+    chosen.kept.each(INT64_MIN, INT64_MAX, [this](int64_t ns, bool high) { decode(ns, high); });
+  } else {
+    _decodedNs = chosen.sample.front().ns;
+    for (const Level &level : chosen.sample) {
+      decode(level.ns, level.high);
+    }
   }
-  _samples.clear();
+  _collected.clear();
+}
+
+std::string WireDecoder::note() const {
+  return _decodedNs == INT64_MIN ? ""
+                                 : "decoded from " + std::to_string(_decodedNs / 1000) +
+                                       " us on: the edges before that have no frame, and are too many to be kept";
 }
 
 void WireDecoder::finish(int64_t endNs, bool cutOff) {
@@ -97,6 +127,7 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
   if (!_decoder) {
     return;
   }
+  _captureEndNs = endNs;
   const bool goesOn = _lastNs >= endNs && !cutOff;
   _endNs = endNs + (goesOn ? static_cast<int64_t>(EndSilenceUs) * 1000 : 0);
   if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {
@@ -113,7 +144,7 @@ std::string WireDecoder::failure(double periodNs) const {
   size_t told = 0;
   std::string reasons;
   for (size_t i = 0; i < _names.size() && told < Shown; i++) {
-    const std::vector<Level> &sample = _samples[i];
+    const std::vector<Level> &sample = _collected[i].sample;
     if (isWanted(i) && (hasPulses(sample) || _names.size() == 1 || !wanted.empty())) {
       const FoundWire wire = findWire(sample, _overrides);
       reasons += (told > 0 ? "; signal " : "signal ") + _names[i] + " " +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -61,6 +62,8 @@ class Aligner {
 
   // Returns what told the delay.
   DelayBy by() const { return _by; }
+  // Returns the delay of the second source.
+  int64_t delayUs() const { return std::llround(_delayUs); }
   // Returns false if the delay may be wrong.
   bool isCertain() const { return _by != DelayBy::Times && _searched.isCertain(); }
   // Returns FrameRate::perSecond() of a side.

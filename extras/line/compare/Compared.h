@@ -29,10 +29,18 @@ class Compared {
     _comparison.knownUntil(_side, timeOf(0));
   }
 
-  void put(const Character &character) { _observer.put(character); }
+  void put(const Character &character) {
+    _comparison.heard(_side, timeOf(character.endUs));
+    _observer.put(character);
+  }
 
-  // Takes the time up to which it is known.
-  void knownUntil(uint64_t us) { _comparison.knownUntil(_side, timeOf(us) - HeldUs); }
+  // Takes the time up to which it is known. `isOver`: the line has ended before.
+  void knownUntil(uint64_t us, bool isOver) {
+    if (!isOver && _observer.characters() > 0) {
+      _comparison.heard(_side, timeOf(us));
+    }
+    _comparison.knownUntil(_side, timeOf(us) - HeldUs);
+  }
 
   Observer &observer() { return _observer; }
 

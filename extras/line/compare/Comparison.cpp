@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "line/Format.h"
 
@@ -35,7 +36,7 @@ void Comparison::take(int64_t us, const Alignment &found) {
   }
   _counts.frames[found.side]++;
   if (!_anyPair) {
-    _counts.alone[found.side]++;
+    _lines[1 - found.side].without.push_back(us);
     return;
   }
   if (found.isLate) {
@@ -54,7 +55,12 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
     _counts.late[1]++;
     return;
   }
-  _anyPair = true;
+  if (!std::exchange(_anyPair, true)) {
+    for (const size_t side : {size_t{0}, size_t{1}}) {
+      loseKnown(side);
+      end(side);
+    }
+  }
   _counts.channels = {a.count, b.count};
   if (found.isSameContent) {
     putDelay(us, found);
@@ -109,9 +115,29 @@ void Comparison::lose(size_t side, int64_t us, bool isMissing) {
   open.span.toUs = us;
   open.span.frames++;
   open.isMissing = open.isMissing && isMissing;
+  if (open.isMissing) {
+    _lines[side].without.push_back(us);
+  }
+}
+
+// Before the first pair and after the last one, a line has lost the other's frames from its first character to its
+// last; the others do not count. A frame in which it begins is not lost.
+void Comparison::loseKnown(size_t side) {
+  constexpr int64_t FrameUs = 5000;
+  Line &line = _lines[side];
+  const int64_t delayUs = side == 0 ? 0 : _aligner.delayUs();
+  _open[side].reset();
+  for (const int64_t us : std::exchange(line.without, {})) {
+    if (line.toUs > line.fromUs && us - FrameUs >= line.fromUs - delayUs && us <= line.toUs - delayUs) {
+      lose(side, us, true);
+    } else {
+      _counts.alone[1 - side]++;
+    }
+  }
 }
 
 void Comparison::end(size_t side) {
+  _lines[side].without.clear();
   if (!_open[side]) {
     return;
   }
@@ -157,13 +183,11 @@ std::string Comparison::scales() const {
   return "";
 }
 
-// Frames after the other source's last one do not count as lost.
 void Comparison::finish() {
   _aligner.finish();
   for (const size_t side : {size_t{0}, size_t{1}}) {
-    if (_open[side] && _open[side]->isMissing) {
-      _counts.alone[1 - side] += _open[side]->span.frames;
-      _open[side].reset();
+    if (!_anyPair || (_open[side] && _open[side]->isMissing)) {
+      loseKnown(side);
     }
     end(side);
   }

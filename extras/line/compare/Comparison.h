@@ -35,7 +35,7 @@ class Comparison {
   // Arrays of two are indexed by source.
   struct Counts {
     std::array<unsigned long, 2> frames{};
-    std::array<unsigned long, 2> alone{};  // before the other's first frame or after its last
+    std::array<unsigned long, 2> alone{};  // before the other line begins or after its end
     std::array<unsigned long, 2> lost{};
     std::array<unsigned long, 2> spans{};
     std::array<std::vector<LostSpan>, 2> longest;  // by frames, LongestMost at most
@@ -56,6 +56,13 @@ class Comparison {
   // See Aligner.
   void put(size_t side, int64_t us, const Values &values, int64_t lateUs = 0);
   void knownUntil(size_t side, int64_t us) { _aligner.knownUntil(side, us); }
+
+  // Takes the time of a character or of silence, from the first to the last: where a line without frames is known, it
+  // has lost the other's.
+  void heard(size_t side, int64_t us) {
+    _lines[side].fromUs = std::min(_lines[side].fromUs, us);
+    _lines[side].toUs = std::max(_lines[side].toUs, us);
+  }
   void finish();
 
   const Aligner &aligner() const { return _aligner; }
@@ -83,12 +90,16 @@ class Comparison {
 
     decltype(Values::raw) least, most{};  // of each channel
     size_t channels = 0;
+    int64_t fromUs = INT64_MAX;  // of its characters
+    int64_t toUs = INT64_MIN;
+    std::vector<int64_t> without;  // the other's frames, in times of the first line, since this one has none
   };
 
   void take(int64_t us, const Alignment &found);
   void putPair(int64_t us, const Alignment &found);
   void putDelay(int64_t us, const Alignment &found);
   void lose(size_t side, int64_t us, bool isMissing);
+  void loseKnown(size_t side);
   void end(size_t side);
 
   const std::function<void(const LostSpan &)> _tell;

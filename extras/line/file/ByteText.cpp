@@ -22,6 +22,8 @@ using Numbers = std::vector<TextNumber>;
 
 constexpr size_t HeadLines = 200;  // to examine
 constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
+constexpr size_t BeforeFrame = 4;  // places of a line at which its frame may begin
+constexpr size_t HeadNumbers = 9;  // before a line's bytes: those of a date and a time, a count
 constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
 constexpr const char *Expected =
@@ -161,12 +163,6 @@ bool isTextAt(std::string_view line, size_t at) {
   return at > 0 && at <= line.size() && (line.substr(at, 2) == "  " || withoutBlanks(line.substr(at)).empty());
 }
 
-// Returns true if these are a frame without the tail that its variant has on the line.
-bool lacksTail(const TextBytes &bytes) {
-  return bytes.size() == sbus::FrameSize &&
-         sbus::LineVariants[sbus::variantOfEnd(bytes[sbus::EndIndex].value)].tailSize > 0;
-}
-
 // Returns the part of a line that may hold bytes: without the text of a dump, a comment, and what is assigned to.
 std::string_view contentOf(std::string_view text, bool &isAssigned) {
   text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;
@@ -213,8 +209,10 @@ Runs runsOf(const Numbers &all) {
        begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
     for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
     }
-    // The end of 18:12:30,345 is no byte; after bytes, or as a field of its own, it is one.
-    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':');
+    // The end of 18:12:30,345 is no byte; after bytes, as a field of its own, or with two digits, it is one.
+    std::string_view digits = all[begin].text;
+    const bool isByte = takeMark(digits) || digits.size() == 2;
+    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':' || isByte);
     const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
     runs.last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
@@ -235,6 +233,31 @@ bool endsWithTime(const Numbers &all, const Numbers &last) {
   return size > last.size() && size > 2 && isOneOf(all[size - 1].sign, ":.-") && isOneOf(all[size - 2].sign, ":.-");
 }
 
+// Returns true if hardly a line has more than one byte, and its number before it: [3] = 0x1F, 3: 1F, 3 1F.
+bool isIndexed(std::string_view head) {
+  unsigned before = 0;
+  size_t found = 0, lines = 0;
+  for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
+    const std::string_view text = takeLine(head);
+    bool isAssigned, areAtEnd;
+    const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
+    unsigned index = 0;
+    const bool isNext = all.size() == 2 && parseWhole(all[0].text, index) && (index <= 1 || index == before + 1);
+    found += isNext || (all.size() == 1 && isAssigned);
+    before = index;
+    lines += !all.empty();
+  }
+  return found >= sbus::FrameSize && 10 * found >= 9 * lines;
+}
+
+bool beginsWithFrame(const TextBytes &bytes) {
+  const auto isFrame = [&bytes](size_t size) {
+    return bytes.size() >= size && bytes[0].value == sbus::HeaderByte && sbus::isFlagsByte(bytes[size - 2].value) &&
+           sbus::isEndByte(bytes[size - 1].value);
+  };
+  return isFrame(sbus::FrameSize) || isFrame(sbus::FrameSize24);
+}
+
 }  // namespace
 
 std::string parseHex(std::string_view text, TextBytes &bytes) {
@@ -247,18 +270,6 @@ std::string parseHex(std::string_view text, TextBytes &bytes) {
     }
   });
   return wrong;
-}
-
-size_t frameAt(const TextBytes &bytes) {
-  for (const size_t size : {size_t{sbus::FrameSize}, size_t{sbus::FrameSize24}}) {
-    if (bytes.size() >= size && bytes[0].value == sbus::HeaderByte && sbus::isFlagsByte(bytes[size - 2].value) &&
-        sbus::isEndByte(bytes[size - 1].value)) {
-      const uint8_t variant = sbus::variantOfEnd(bytes[size - 1].value);
-      const size_t tail = size == sbus::FrameSize ? sbus::LineVariants[variant].tailSize : 0;
-      return std::min(bytes.size(), size + tail);  // a line may hold the frame alone
-    }
-  }
-  return 0;
 }
 
 ByteText::ByteText(std::string_view head, bool isWhole) {
@@ -281,13 +292,14 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
       forEachWord(text.substr(0, text.find('#')),
                   [this](std::string_view word, std::string_view) { _isBare = _isBare && isNumber(word); });
     }
-    const size_t frame = frameAt(bytes);
-    const TextBytes rest(bytes.begin() + static_cast<std::ptrdiff_t>(frame), bytes.end());
     _lines += !bytes.empty();
     isSure = isSure || bytes.size() >= RunLeast ||
              std::any_of(bytes.begin(), bytes.end(), [](TextByte byte) { return byte.value == sbus::HeaderByte; });
-    _frameLines += frame > 0;
-    _filledLines += frame > 0 ? (rest.empty() ? lacksTail(bytes) : frameAt(rest) == 0) : !bytes.empty();
+    for (size_t from = 0; from < std::min(bytes.size(), BeforeFrame); from++) {
+      const bool isFrame = beginsWithFrame({bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end()});
+      _frameLines += isFrame;
+      from = isFrame ? bytes.size() : from;
+    }
   }
   _lines = isSure ? _lines : 0;  // a number at the end of lines is a byte if others are
 }
@@ -351,15 +363,20 @@ void ByteText::findOffsets(std::string_view head) {
 
 // Finds out what the numbers of the first lines look like.
 void ByteText::findStyle(std::string_view head) {
+  _hasIndex = !hasOffsets() && isIndexed(head);
+  _isList = _hasIndex;
   bool any = false, hasLetters = false, hasBytes = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
     _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
+    forEachWord(text, [this](std::string_view word, std::string_view) {
+      _hasMarks = (isNumber(word) && takeMark(word)) || _hasMarks;
+    });
     for (TextNumber &number : numbersOf(text)) {
       any = true;
       takeEnd(number.text, '!');
       hasBytes = hasBytes || !isBits(number.text);
-      _hasMarks = takeMark(number.text) || _hasMarks;
+      takeMark(number.text);
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
       _isList = _isList || number.isFirst;
     }
@@ -380,8 +397,15 @@ std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
   bool isAssigned, areAtEnd;
   const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
   const Runs runs = runsOf(all);
-  if (runs.bytes.size() < all.size() && isFrame(all) && !isFrame(runs.bytes)) {
-    return all;  // a frame in parts: 0F | E3 03 ... | 00 00
+  if (_hasIndex) {
+    return all.size() == 2 ? Numbers{all[1]} : all.size() == 1 && isAssigned ? all : Numbers();
+  }
+  // A frame in parts: 0F | E3 03 ... | 00 00; or one after a time or a count, which has another sign or is no byte.
+  for (size_t from = 0; from + 1 < all.size() && from < HeadNumbers && !isFrame(runs.bytes); from++) {
+    const Numbers rest(all.begin() + static_cast<std::ptrdiff_t>(from), all.end());
+    if ((from == 0 || all[from].sign != rest[1].sign || all[from - 1].text.size() > 3) && isFrame(rest)) {
+      return rest;
+    }
   }
   if (!runs.bytes.empty()) {
     return runs.bytes;
@@ -401,8 +425,11 @@ bool ByteText::isFrame(const std::vector<TextNumber> &numbers) const {
   TextBytes bytes;
   for (const TextNumber &number : numbers) {
     read(number, bytes);
+    if (bytes.empty() || bytes[0].value != sbus::HeaderByte) {
+      return false;
+    }
   }
-  return frameAt(bytes) > 0;
+  return beginsWithFrame(bytes);
 }
 
 std::string ByteText::line(std::string_view text, TextBytes &bytes) const {
@@ -413,10 +440,17 @@ std::string ByteText::line(std::string_view text, TextBytes &bytes) const {
     return text.find_first_of("\\'\"") == text.npos ? "" : readStrings(withoutBlanks(text), bytes);
   }
   std::string wrong;
-  forEachWord(_isBare ? text.substr(0, text.find('#')) : "", [&wrong](std::string_view word, std::string_view) {
+  size_t words = 0, others = 0;
+  forEachWord(_isBare ? text.substr(0, text.find('#')) : "", [&](std::string_view word, std::string_view) {
+    words++;
+    others += !isNumber(word);
     wrong = wrong.empty() && !isNumber(word) ? quoted(word) + Expected : wrong;
   });
-  for (const TextNumber &number : numbersOf(text)) {
+  const Numbers numbers = numbersOf(text);
+  if (!_isStrict && others > 0 && (2 * others >= words || numbers.size() < RunLeast)) {
+    return {};
+  }
+  for (const TextNumber &number : numbers) {
     wrong = wrong.empty() ? read(number, bytes) : wrong;
   }
   return wrong;

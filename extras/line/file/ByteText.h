@@ -21,8 +21,12 @@ std::string parseHex(std::string_view text, TextBytes &bytes);
 
 class ByteText {
  public:
-  // Finds out from a text's first lines how it is written. `isWhole`: they are all of it.
+  // Finds out from a text's first lines how it is written. `isWhole`: they are all of it. Words around lines of bytes are
+  // left out: people post them, and terminals write them.
   ByteText(std::string_view head, bool isWhole);
+
+  // Rejects lines with words, if the first one with bytes has numbers only.
+  void setStrict() { _isStrict = true; }
 
   // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then
   // isList(), hasOffsets() and hasFrames() decide.
@@ -37,8 +41,8 @@ class ByteText {
   // Returns true if a line begins with a frame.
   bool hasFrames() const { return _frameLines > 0; }
 
-  // Returns true if most lines are a frame and something else behind it: then the end of a line is a silence.
-  bool hasFilledLines() const { return _filledLines > 0 && 2 * _frameLines > _lines && !hasOffsets(); }
+  // Takes a dump's words for bytes in the other order: xxd -e prints them as a PC reads them.
+  void swapWords() { _areSwapped = !_areSwapped; }
 
   bool isDecimal() const { return _base == 10; }
 
@@ -61,14 +65,12 @@ class ByteText {
   bool _hasMarks = false;    // 0x
   bool _hasStrings = false;
   bool _isList = false;
-  bool _isBare = false;  // lines have numbers only
+  bool _isBare = false;  // the first line with bytes has numbers only
+  bool _isStrict = false;
+  bool _hasIndex = false;  // a byte a line, after its number
   int _base = 16;
-  size_t _lines = 0;        // of the head, with bytes
-  size_t _frameLines = 0;   // that begin with a frame
-  size_t _filledLines = 0;  // that continue after it, or end before its tail
+  size_t _lines = 0;       // of the head, with bytes
+  size_t _frameLines = 0;  // that begin with a frame
 };
-
-// Returns the size of the frame at the beginning of the bytes; 0 without one.
-size_t frameAt(const TextBytes &bytes);
 
 }  // namespace line

@@ -1,38 +1,124 @@
 #include "line/file/BytesReader.h"
 
+#include <algorithm>
+#include <cstdlib>
+
+#include "line/Observer.h"
+#include "line/recording/Words.h"
+
 namespace line {
 
+namespace {
+
+// Returns true if most channels of two frames hardly differ, like those of sticks.
+bool areAlike(const Values &a, const Values &b) {
+  constexpr int Move = 100;
+  constexpr size_t Least = 12;  // of 16
+  size_t count = 0;
+  for (size_t i = 0; i < sbus::ProportionalCount; i++) {
+    count += std::abs(a.raw[i] - b.raw[i]) <= Move;
+  }
+  return a.count == b.count && count >= Least;
+}
+
+}  // namespace
+
+// A line has hardly anything but frames; a bad one has a quarter of its bytes in them, and these repeat.
+Evidence BytesReader::Found::evidence() const {
+  const bool isMost = 5 * taken >= 4 * bytes;
+  const bool areRepeated = frames == 1 ? 2 * taken >= bytes : 4 * taken >= bytes && 2 * alike + 1 >= frames;
+  return frames == 0 ? Evidence::None : isMost || areRepeated ? Evidence::Good : Evidence::Weak;
+}
+
+BytesReader::BytesReader(std::string_view head, bool isText, const LineSettings &settings)
+    : _isText(isText), _characterUs(settings.characterUs()), _text(isText ? head : std::string_view(), head.size() < FileHeadMax), _isLong(head.size() >= FileHeadMax) {
+  examine(head);
+  if (_evidence != Evidence::Good && _text.hasOffsets()) {
+    _text.swapWords();
+    examine(head);
+    if (_evidence != Evidence::Good) {
+      _text.swapWords();
+    }
+  }
+  if (_evidence != Evidence::Good && isText) {  // then each line must be bytes
+    _text.setStrict();
+    examine(head);
+  }
+}
+
+void BytesReader::examine(std::string_view head) {
+  TextBytes bytes;
+  for (std::string_view rest = head; !rest.empty();) {
+    bytesOf(_isText ? takeLine(rest) : std::exchange(rest, std::string_view()), bytes);
+  }
+  const FilledFrames filled(bytes);
+  const Found plain = framesOf(bytes, FilledFrames());
+  const Found spaced = filled.any() ? framesOf(bytes, filled) : Found();
+  const bool isSpaced = spaced.frames > plain.frames && spaced.evidence() == Evidence::Good;
+  _filled = isSpaced ? filled : FilledFrames();
+  _found = isSpaced ? spaced : plain;
+  _evidence = _found.evidence();
+}
+
+BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames filled) const {
+  Found found;
+  Values before;
+  Observer observer;
+  observer.reset(0, _characterUs);
+  observer.listen([&](const Stretch &stretch) {
+    found.taken += stretch.isFrame() || !stretch.slots.empty() ? stretch.characters.size() : 0;
+    found.frames += stretch.isFrame();
+    if (stretch.isFrame() && stretch.kind != Stretch::Kind::Extra) {
+      found.alike += areAlike(observer.newest(), before);
+      before = observer.newest();
+    }
+  });
+  std::deque<Character> characters;
+  Character last;
+  filled.put(bytes, _characterUs, last, characters);
+  filled.finish(_characterUs, last, characters);
+  for (const Character &character : characters) {
+    observer.put(character);
+  }
+  observer.finish();
+  found.bytes = bytes.size();
+  return found;
+}
+
+std::string BytesReader::why() const {
+  const char *const expected = "bytes of a line are expected, mostly frames, or a recording or a capture";
+  return std::string("is no line of S.Bus: ") +
+         (_evidence == Evidence::None ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
+                                      : "only " + std::to_string(_found.taken) + " of its first " + std::to_string(_found.bytes) +
+                                            (_isText ? " numbers" : " bytes") + " look like frames, which happens by chance") +
+         "; " + expected;
+}
+
 std::string BytesReader::note() const {
-  return std::string(_text.isDecimal() ? "bytes in decimal, " : "bytes ") +
-         "without times: times are not known, frames are assumed to be " +
-         (_text.hasFilledLines() ? "at the beginning of lines" : "back to back");
+  return std::string(_text.isDecimal() ? "bytes in decimal, " : "bytes ") + "without times: times are not known, frames are assumed to be " +
+         (_filled.any() ? "between other bytes" : "back to back");
+}
+
+std::string BytesReader::bytesOf(std::string_view text, TextBytes &bytes) const {
+  if (_isText) {
+    return _text.line(text, bytes);
+  }
+  for (const char c : text) {
+    bytes.push_back({static_cast<uint8_t>(c), false});
+  }
+  return {};
 }
 
 std::string BytesReader::line(std::string_view text, std::deque<Character> &characters) {
   TextBytes bytes;
-  std::string wrong;
-  if (_isText) {
-    wrong = _text.line(text, bytes);
-  } else {
-    for (const char c : text) {
-      bytes.push_back({static_cast<uint8_t>(c), false});
-    }
-  }
-  const size_t frame = _text.hasFilledLines() ? frameAt(bytes) : 0;
-  put(bytes, 0, frame, characters);
-  put(bytes, frame, bytes.size(), characters);
+  const std::string wrong = bytesOf(text, bytes);
+  _filled.put(bytes, _characterUs, _last, characters);
   return wrong;
 }
 
-void BytesReader::put(const TextBytes &bytes, size_t from, size_t to, std::deque<Character> &characters) {
-  constexpr uint64_t SilenceUs = 3000;  // between lines, if their ends are known
-  _last.endUs += _text.hasFilledLines() && from < to ? SilenceUs : 0;
-  for (size_t i = from; i < to; i++) {
-    _last.endUs += _characterUs;
-    _last.value = bytes[i].value;
-    _last.bad = bytes[i].bad;
-    characters.push_back(_last);
-  }
+std::string BytesReader::finish(std::deque<Character> &characters) {
+  _filled.finish(_characterUs, _last, characters);
+  return _last.endUs > 0 ? "" : "is empty: bytes of a line are expected";
 }
 
 }  // namespace line

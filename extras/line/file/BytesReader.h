@@ -1,37 +1,61 @@
-// Reads bytes without times, raw or as text: frames are assumed to follow each other directly, unless each has a line.
+// Reads bytes without times, raw or as text: frames are assumed to follow each other directly, unless something else
+// regularly stands between them. Tells whether they are a line's.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "line/LineSettings.h"
 #include "line/file/ByteText.h"
+#include "line/file/FilledFrames.h"
 #include "line/file/LineReader.h"
 
 namespace line {
 
+// What frames say of the bytes that they are found in. Numbers look like a frame by chance, here and there: it is as
+// long as one, its first byte is 0F and its last one 00. Weak: these frames are nobody's.
+enum class Evidence { None, Weak, Good };
+
 class BytesReader : public LineReader {
  public:
   // `head`: the file's first bytes, or the text's first lines.
-  BytesReader(std::string_view head, bool isText, const LineSettings &settings)
-      : _isText(isText),
-        _characterUs(settings.characterUs()),
-        _text(isText ? head : std::string_view(), head.size() < FileHeadMax) {}
+  BytesReader(std::string_view head, bool isText, const LineSettings &settings);
 
   std::string line(std::string_view text, std::deque<Character> &characters) override;
-  std::string finish(std::deque<Character> & /*characters*/) override {
-    return _last.endUs > 0 ? "" : "is empty: bytes of a line are expected";
-  }
+  std::string finish(std::deque<Character> &characters) override;
   bool takesBytes() const override { return !_isText; }
+
+  // Returns false if frames would be nobody's: the head has some by chance, or none though it is long.
+  bool mayBeLine() const { return _evidence == Evidence::Good || (_evidence == Evidence::None && !_isLong); }
+
+  // Returns why it may not, and what is expected.
+  std::string why() const;
 
   // Returns what a user should know of the bytes.
   std::string note() const;
 
  private:
-  void put(const TextBytes &bytes, size_t from, size_t to, std::deque<Character> &characters);
+  // The frames of the head.
+  struct Found {
+    size_t frames = 0;
+    size_t bytes = 0;  // of all
+    size_t taken = 0;  // by frames and telemetry
+    size_t alike = 0;  // frames that hardly differ from the one before
+
+    Evidence evidence() const;
+  };
+
+  void examine(std::string_view head);
+  Found framesOf(const TextBytes &bytes, FilledFrames filled) const;
+  std::string bytesOf(std::string_view text, TextBytes &bytes) const;
 
   const bool _isText;
   const uint32_t _characterUs;
-  const ByteText _text;
+  ByteText _text;
+  FilledFrames _filled;
+  Found _found;
+  Evidence _evidence = Evidence::None;
+  const bool _isLong;  // the head is only the beginning
   Character _last;
 };
 

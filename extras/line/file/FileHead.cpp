@@ -6,6 +6,7 @@
 #include "line/file/BytesReader.h"
 #include "line/file/JsonReader.h"
 #include "line/file/Mangled.h"
+#include "line/file/OtherText.h"
 #include "line/file/TableReader.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/PlainText.h"
@@ -48,7 +49,7 @@ bool isRecording(std::string_view text) {
       isByte = isByte && word.size() <= 3 && (word.size() < 3 || word.back() == '!');
     }
     if (!isByte || digits.empty() || !std::all_of(digits.begin(), digits.end(), isDigit)) {
-      return lines == 2;
+      return lines == 2 && times[0].size() != 2;
     }
   }
   return !times[0].empty() && !(times[0].size() == 2 && times[1].size() == 2);
@@ -180,10 +181,14 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
   }
   if (kind == FileKind::Bytes || kind == FileKind::Text) {
     const Mangled mangled(kind == FileKind::Text ? std::string_view() : begin);
-    head.note = BytesReader(begin, kind == FileKind::Text, head.settings).note();
     if (mangled.isLost) {
       return wrong(mangled.what + "; " + mangled.remedy);
     }
+    const BytesReader reader(begin, kind == FileKind::Text, head.settings);
+    if (!reader.mayBeLine()) {
+      return wrong(reader.why());
+    }
+    head.note = reader.note();
     if (!mangled.what.empty()) {
       head.note += "; " + mangled.what + "; " + mangled.remedy;
       head.damage = "Changed bytes: " + mangled.what + ".";
@@ -218,7 +223,8 @@ FileHead readFileHead(std::string_view begin, const std::string &name, unsigned 
   if (std::any_of(text.begin(), text.end(), [](char c) { return c != '\0' && isControl(c); })) {
     return wrong("is neither text nor a receiver's bytes: a recording, a capture of the wire or bytes are expected");
   }
-  return headOfText(kindOfText(text), text, baud);
+  const std::string other = whatText(text);
+  return other.empty() ? headOfText(kindOfText(text), text, baud) : wrong(other);
 }
 
 std::unique_ptr<LineReader> makeReader(const FileHead &head, bool isWhole) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "line/recording/Words.h"
 
@@ -121,14 +122,13 @@ CsvKind CsvRows::kind(size_t column) const {
 void CsvRows::split() {
   _row.clear();
   const std::string plain = withCommas(_line);
-  std::string_view rest = plain;
-  const bool hasCommas = plain.find(',') != std::string::npos;
-  for (bool goesOn = true; goesOn && _row.size() < ColumnsMax;) {
-    const size_t comma = rest.find(',');
-    _row.push_back(fieldOf(hasCommas ? rest.substr(0, comma) : takeWord(rest)));
-    goesOn = hasCommas ? comma != std::string_view::npos : !rest.empty();
-    rest.remove_prefix(hasCommas && goesOn ? comma + 1 : 0);
+  Fields cells;
+  splitRow(plain, plain.find(',') == std::string::npos ? ' ' : ',', cells, ' ');
+  if (plain.empty() || plain.back() == ',') {
+    cells.emplace_back();
   }
+  cells.resize(std::min(cells.size(), ColumnsMax));
+  std::transform(cells.begin(), cells.end(), std::back_inserter(_row), fieldOf);
 }
 
 void CsvRows::endLine() {

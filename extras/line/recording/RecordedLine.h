@@ -1,6 +1,7 @@
 // Plays a recording once.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -17,7 +18,9 @@ class RecordedLine : public Line {
 
   // Several lines may share a recording.
   explicit RecordedLine(std::shared_ptr<const Recording> recording, uint64_t leadUs = 0)
-      : _characters(recording, &recording->characters), _leadUs(leadUs) {}
+      : _characters(recording, &recording->characters),
+        _endUs(std::max(recording->endUs, recording->characters.empty() ? 0 : recording->characters.back().endUs)),
+        _leadUs(leadUs) {}
 
   void opened(uint64_t nowUs) override { _zeroUs = nowUs + _leadUs; }
 
@@ -34,11 +37,12 @@ class RecordedLine : public Line {
     return nowUs < _zeroUs ? 0 : _zeroUs + _characters->knownUs(_index, nowUs - _zeroUs);
   }
 
-  // Returns true a little after the last character, so that a sketch can still print its values.
-  bool finished(uint64_t nowUs) const override { return nowUs >= _zeroUs + _characters->back().endUs + TailUs; }
+  // Returns true a little after the end, so that a sketch can still print its values.
+  bool finished(uint64_t nowUs) const override { return nowUs >= _zeroUs + _endUs + TailUs; }
 
  private:
   const std::shared_ptr<const Characters> _characters;
+  const uint64_t _endUs;  // of the last character, or of the capture
   uint64_t _leadUs;
   uint64_t _zeroUs = 0;
   size_t _index = 0;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace line {
 
@@ -90,6 +91,23 @@ inline std::string quoted(std::string_view word) {
     text += c >= ' ' && c <= '~' ? c : '?';
   }
   return text + (word.size() > Shown ? "...\"" : "\"");
+}
+
+// The cells of a row of CSV.
+using Fields = std::vector<std::string_view>;
+
+// Splits a row. A separator at its end does not begin another cell; a blank as separator is any number of blanks. Takes
+// blanks and `mark`s off each cell.
+inline void splitRow(std::string_view row, char separator, Fields &fields, char mark = '"') {
+  fields.clear();
+  while (separator == ' ' && !withoutBlanks(row).empty()) {
+    fields.push_back(takeWord(row));
+  }
+  while (separator != ' ' && !row.empty()) {
+    const size_t size = row.find(separator);
+    fields.push_back(withoutBlanks(row.substr(0, size), mark));
+    row.remove_prefix(size == std::string_view::npos ? row.size() : size + 1);
+  }
 }
 
 }  // namespace line

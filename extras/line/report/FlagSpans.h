@@ -49,17 +49,22 @@ inline std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count) 
 
 // A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a late read by the
 // PC, or to the end. A frame with both flags counts as failsafe only. Frames without pulses have no flag: Values.
+// What comes before the first frame and after the last one is a span like others.
 class FlagSpans {
  public:
-  // Returns true if the line was silent between the newest frame and the next one, at `us`, or if the PC was late,
-  // according to that frame's `lateUs`. All spans end there.
+  // Takes when the line begins, before its first frame. Without it, the line begins with that frame.
+  void begin(uint64_t us) { _fromUs = us; }
+
+  // Returns true if the line was silent between the newest frame, or its beginning, and the next frame, at `us`, or if
+  // the PC was late, according to that frame's `lateUs`. All spans end there.
   bool brokenUntil(uint64_t us, uint32_t lateUs) {
-    const Gap gap = _lastUs == 0 ? Gap::Ordinary : gapOf(_lastUs, us, lateUs);
+    const uint64_t sinceUs = _lastUs > 0 ? _lastUs : std::min(us, _fromUs);
+    const Gap gap = gapOf(sinceUs, us, lateUs);
     if (gap == Gap::Ordinary) {
       return false;
     }
-    finish();
-    _all.push_back({gap == Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, _lastUs, us});
+    endFlags();
+    _all.push_back({gap == Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, sinceUs, us});
     return true;
   }
 
@@ -72,11 +77,12 @@ class FlagSpans {
     set(_lostFrame, lostFrame && !failsafe);
   }
 
-  // Ends all spans. Call it after the last frame.
-  void finish() {
-    set(_failsafe, false);
-    set(_noPulses, false);
-    set(_lostFrame, false);
+  // Ends all spans. Call it after the last frame. The line ends at `us`, or with that frame.
+  void finish(uint64_t us) {
+    if (_lastUs > 0) {
+      brokenUntil(std::max(us, _lastUs), 0);
+    }
+    endFlags();
   }
 
   // Returns the spans in the order in which they ended.
@@ -87,6 +93,12 @@ class FlagSpans {
   uint64_t lastUs() const { return _lastUs; }
 
  private:
+  void endFlags() {
+    set(_failsafe, false);
+    set(_noPulses, false);
+    set(_lostFrame, false);
+  }
+
   struct Flag {
     FlagSpan::Kind kind;
     bool is;
@@ -106,6 +118,7 @@ class FlagSpans {
   Flag _noPulses = {FlagSpan::Kind::NoPulses, false, 0};
   Flag _lostFrame = {FlagSpan::Kind::LostFrame, false, 0};
   std::vector<FlagSpan> _all;
+  uint64_t _fromUs = UINT64_MAX;  // the line's beginning
   uint64_t _firstUs = 0;
   uint64_t _lastUs = 0;
 };

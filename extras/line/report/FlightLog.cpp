@@ -25,8 +25,8 @@ class Judge {
   // Rates the seconds from `first` up to, but without, `end`.
   FlightRating of(uint64_t first, uint64_t end) {
     FlightRating part;
-    part.fromUs = std::max(first * SecondUs, _flight.firstUs());
-    part.toUs = std::min(end * SecondUs, _flight.lastUs());
+    part.fromUs = std::max(first * SecondUs, _flight.fromUs());
+    part.toUs = std::min(end * SecondUs, _flight.toUs());
     FlightSecond sum;
     for (; _second != _flight.seconds().end() && _second->first < end; ++_second) {
       sum.frames += _second->second.frames;
@@ -75,9 +75,27 @@ std::string times(const std::vector<FlagSpan> &spans) {
 
 }  // namespace
 
+void FlightLog::heard(uint64_t us, bool isSilence) {
+  if (_fromUs == UINT64_MAX) {
+    _fromUs = us;
+    _flags.begin(us);
+  }
+  _toUs = std::max(_toUs, us);
+  _byteUs = isSilence ? _byteUs : us;
+}
+
 void FlightLog::finish(const FlightCounts &counts) {
   _counts = counts;
-  _flags.finish();
+  _flags.finish(_toUs);
+  const std::vector<FlagSpan> silences = spans(FlagSpan::Kind::NoFrames);
+  _fromUs = !silences.empty() && silences.front().toUs == firstUs() ? silences.front().fromUs : firstUs();
+  _toUs = !silences.empty() && silences.back().fromUs == lastUs() ? silences.back().toUs : lastUs();
+}
+
+std::string FlightLog::endText() const {
+  return _toUs == lastUs() ? ""
+                           : format("No frames at the end: for the last %.3f s %s.", static_cast<double>(_toUs - lastUs()) / 1e6,
+                                    _byteUs > lastUs() + SilenceUs ? "bytes come, but no frame" : "the line is silent");
 }
 
 void FlightLog::put(const FlightFrame &frame) {
@@ -103,8 +121,8 @@ std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
 }
 
 std::vector<FlightRating> stripOf(const FlightLog &flight, size_t count) {
-  const uint64_t first = flight.firstUs() / SecondUs;
-  const uint64_t end = flight.lastUs() / SecondUs + 1;
+  const uint64_t first = flight.fromUs() / SecondUs;
+  const uint64_t end = flight.toUs() / SecondUs + 1;
   const uint64_t parts = std::min<uint64_t>(count, end - first);
   Judge judge(flight);
   std::vector<FlightRating> strip;
@@ -127,12 +145,12 @@ std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count) {
       return span.fromUs < part.toUs && span.toUs > part.fromUs;
     });
   };
-  for (uint64_t second = flight.firstUs() / SecondUs; second <= flight.lastUs() / SecondUs; second++) {
+  for (uint64_t second = flight.fromUs() / SecondUs; second <= flight.toUs() / SecondUs; second++) {
     const FlightRating part = judge.of(second, second + 1);
     if ((part.lost > 0 || part.failsafe) && !isListed(part)) {
       worst.push_back(part);
     }
-    if (worst.size() == 2 * count || second == flight.lastUs() / SecondUs) {
+    if (worst.size() == 2 * count || second == flight.toUs() / SecondUs) {
       std::stable_sort(worst.begin(), worst.end(), [](const FlightRating &a, const FlightRating &b) {
         return a.failsafe != b.failsafe ? a.failsafe : a.lost > b.lost;
       });
@@ -159,6 +177,10 @@ FlightVerdict verdictOf(const FlightLog &flight) {
   add("failsafe ", failsafe);
   add("no pulses (0 on CH1 to CH4, without a flag) ", pulseless);
   add("no frames ", silences);
+  if (!silences.empty()) {
+    const bool isFirst = silences.front().fromUs < flight.firstUs(), isLast = silences.back().toUs > flight.lastUs();
+    text += isFirst && isLast ? ", at the beginning and at the end" : isFirst ? ", at the beginning" : isLast ? ", at the end" : "";
+  }
   if (!text.empty()) {
     text[0] = text[0] == 'f' ? 'F' : 'N';
     return {Severity::Bad, text + "; " + lostText + "."};

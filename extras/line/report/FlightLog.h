@@ -43,14 +43,24 @@ class FlightLog {
   // `zeroUs`: the source's own time at time 0; not above 0.
   explicit FlightLog(int64_t zeroUs = 0) : _zeroUs(zeroUs) {}
 
+  // Takes the time of a character, or of silence: the line begins with the first and ends with the last.
+  void heard(uint64_t us, bool isSilence = false);
+
   void put(const FlightFrame &frame);
   void finish(const FlightCounts &counts);
 
   // Returns the counts, after finish().
   const FlightCounts &counts() const { return _counts; }
   std::string variant() const { return _variant.text(); }
+  // Return the time of the first and of the last frame.
   uint64_t firstUs() const { return _flags.firstUs(); }
   uint64_t lastUs() const { return _flags.lastUs(); }
+  // Return, after finish(), when the flight begins and ends: with these frames, unless the line has none for 0.1 s
+  // before or after them.
+  uint64_t fromUs() const { return _fromUs; }
+  uint64_t toUs() const { return _toUs; }
+  // Returns, after finish(), in a sentence for how long the line has no frame at its end; "" if it has.
+  std::string endText() const;
 
   // Returns a time of this flight in the source's own time.
   int64_t shownUs(uint64_t us) const { return static_cast<int64_t>(us) + _zeroUs; }
@@ -66,6 +76,9 @@ class FlightLog {
 
  private:
   const int64_t _zeroUs;
+  uint64_t _fromUs = UINT64_MAX;
+  uint64_t _toUs = 0;
+  uint64_t _byteUs = 0;  // the newest character
   FlightCounts _counts{};
   DetectedVariant _variant;
   FlagSpans _flags;

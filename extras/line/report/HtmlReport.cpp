@@ -97,7 +97,7 @@ std::string strip(const FlightLog &flight) {
           timeText(flight.shownUs(part.fromUs)).c_str(), 100 * part.lost);
     }
   }
-  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.shownUs(flight.firstUs())) + " to " + timeText(flight.shownUs(flight.lastUs()));
+  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.shownUs(flight.fromUs())) + " to " + timeText(flight.shownUs(flight.toUs()));
   for (const SpanName &each : SpanNames) {
     text += std::string("<i class=\"") + each.colour + "\"></i>" + title(each);
   }
@@ -140,7 +140,7 @@ std::string facts(const FlightLog &flight, const ReportFacts &facts) {
   std::string text = "<p class=\"quiet\">" + escaped(flight.variant()) + ", " + escaped(facts.settings);
   text += facts.startUs ? ", " + wallTime(*facts.startUs).substr(0, 19).replace(10, 1, " ") + " UTC" : "";
   text += format("</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
-                 timeText(static_cast<int64_t>(flight.lastUs() - flight.firstUs())).c_str(), counts.frames,
+                 timeText(static_cast<int64_t>(flight.toUs() - flight.fromUs())).c_str(), counts.frames,
                  flight.rate().perSecond(), counts.lostFrames, flight.rate().missing(), counts.failsafeFrames);
   return text + format("%lu discarded bytes, %lu character errors.</p>\n", counts.discardedBytes, counts.characterErrors);
 }

@@ -11,15 +11,29 @@ namespace line {
 class ObservedFlight {
  public:
   // `zeroUs`: see FlightLog.
-  explicit ObservedFlight(uint32_t characterUs, int64_t zeroUs = 0) : _log(zeroUs) {
+  explicit ObservedFlight(uint32_t characterUs, int64_t zeroUs = 0) : _characterUs(characterUs), _log(zeroUs) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const Stretch &stretch) { take(stretch); });
   }
   ObservedFlight(const ObservedFlight &) = delete;  // its observer's listener points to it
   ObservedFlight &operator=(const ObservedFlight &) = delete;
 
-  void put(const Character &character) { _observer.put(character); }
-  void idleUntil(uint64_t us) { _observer.idleUntil(us); }
+  // Takes the time at which a capture begins, before its first character.
+  void begin(uint64_t us) { _log.heard(us, true); }
+
+  void put(const Character &character) {
+    _log.heard(character.endUs - std::min<uint64_t>(character.endUs, _characterUs + character.lateUs));
+    _log.heard(character.endUs);
+    _observer.put(character);
+  }
+
+  // Takes the time up to which the line is known. `isOver`: the line has ended before, and the time says nothing.
+  void idleUntil(uint64_t us, bool isOver = false) {
+    if (!isOver && _observer.characters() > 0) {
+      _log.heard(us, true);
+    }
+    _observer.idleUntil(us);
+  }
   void finish() {
     _observer.finish();
     const sbus::Counters counters = _observer.counters();
@@ -42,6 +56,7 @@ class ObservedFlight {
     }
   }
 
+  const uint32_t _characterUs;
   Observer _observer;
   FlightLog _log;
 };

@@ -31,8 +31,8 @@ struct Axis {
 };
 
 Axis timeAxis(const FlightLog &flight) {
-  const double from = static_cast<double>(flight.shownUs(flight.firstUs())) / 1e6;
-  const double to = static_cast<double>(flight.shownUs(flight.lastUs())) / 1e6;
+  const double from = static_cast<double>(flight.shownUs(flight.fromUs())) / 1e6;
+  const double to = static_cast<double>(flight.shownUs(flight.toUs())) / 1e6;
   return Axis(from, to > from ? to : from + 1, 9);
 }
 

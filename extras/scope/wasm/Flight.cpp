@@ -64,12 +64,20 @@ std::string json(const line::FlightLog &log) {
 // Before the first records.
 EXPORT(beginFlight)()->void {
   growing = std::make_unique<line::FlightLog>();
+  if (theTape.recording.endUs > 0) {
+    growing->heard(theTape.recording.beginUs, true);
+  }
 }
 
 // The recording's next records are in the buffer, `size` bytes of them.
 EXPORT(flightRecords)(unsigned size)->void {
   const auto *const records = reinterpret_cast<const Record *>(transfer);
   for (const Record *record = records; record != records + size / sizeof *record; record++) {
+    const auto endUs = static_cast<uint64_t>(record->endUs), bytesUs = uint64_t{theTape.settings.characterUs()} * record->size;
+    if (record->kind <= static_cast<uint8_t>(scope::Kind::NoFrame)) {
+      growing->heard(endUs - std::min(endUs, bytesUs));
+      growing->heard(endUs);
+    }
     if (record->kind <= static_cast<uint8_t>(scope::Kind::Extra)) {
       line::FlightFrame frame{static_cast<line::Stretch::Kind>(record->kind), record->bytes[record->size - 1],
                               static_cast<uint64_t>(record->endUs), static_cast<uint32_t>(record->lateUs),
@@ -84,6 +92,9 @@ EXPORT(flightRecords)(unsigned size)->void {
 
 // After the last records, with the counts of the decoder. Returns "" of a recording without frames.
 EXPORT(flightNumbers)(unsigned frames, unsigned lost, unsigned failsafe, unsigned discarded, unsigned errors)->const char * {
+  if (theTape.recording.endUs > 0) {
+    growing->heard(theTape.recording.endUs, true);
+  }
   growing->finish({frames, lost, failsafe, discarded, errors});
   flight = std::move(growing);
   words = frames > 0 ? json(*flight) : "";

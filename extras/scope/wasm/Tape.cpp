@@ -108,6 +108,7 @@ std::string finishCapture() {
   if (failure.empty()) {
     settings = capture->settings();
     tape = std::move(capture->recording);
+    head.note = capture->wire().note();
   }
   return failure;
 }

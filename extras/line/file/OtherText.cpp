@@ -1,0 +1,66 @@
+#include "line/file/OtherText.h"
+
+#include <algorithm>
+
+#include "line/file/ByteText.h"
+#include "line/recording/Words.h"
+
+namespace line {
+
+namespace {
+
+constexpr size_t HeadLines = 200;
+
+bool consistsOf(std::string_view word, std::string_view characters) {
+  return !word.empty() && word.find_first_not_of(characters) == word.npos;
+}
+
+// Returns true if a line is an annotation of sigrok's UART decoder: "uart-1: 0F", "15-16 UART: RX bits: Start bit".
+bool isAnnotation(std::string_view line, std::string_view &what) {
+  const size_t colon = line.rfind(": ");
+  what = colon == line.npos ? "" : withoutBlanks(line.substr(colon + 1));
+  const std::string decoder = lower(line.substr(0, std::min(line.size(), colon)));
+  return decoder.find("uart") != decoder.npos;
+}
+
+// Returns true if there are bits among sigrok's annotations. Bytes alone are read.
+bool areBits(std::string_view text) {
+  size_t bits = 0, all = 0;
+  for (size_t i = 0; i < HeadLines && !text.empty(); i++) {
+    std::string_view what;
+    const bool is = isAnnotation(takeLine(text), what);
+    all += is;
+    bits += is && (what == "0" || what == "1" || lower(what).find(" bit") != what.npos);
+  }
+  return 2 * bits > all && all >= 8;
+}
+
+// Returns true if a text begins like a dump, with offset 0.
+bool isDump(std::string_view text) {
+  const std::string_view word = takeWord(text), offset = word.substr(0, word.find(':'));
+  return offset.size() >= 7 && consistsOf(offset, "0");
+}
+
+// (1436509052.249713) can0 123#0FE0
+bool isCandump(std::string_view text) {
+  std::string_view line = takeLine(text);
+  const std::string_view time = takeWord(line);
+  takeWord(line);
+  return time.size() > 2 && time.front() == '(' && consistsOf(time.substr(1, time.size() - 2), "0123456789.") &&
+         takeWord(line).find('#') != line.npos;
+}
+
+}  // namespace
+
+std::string whatText(std::string_view begin) {
+  const std::string_view text = withoutBlanks(begin);
+  const bool isSigrok = text.substr(0, 10) == "libsigrok " || text.substr(0, 5) == "META ";
+  const bool isOtherDump = isDump(text) && !ByteText(text, true).isBytes();
+  return isSigrok ? "is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data prints a decoder's bytes"
+         : areBits(text)   ? "is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
+         : isCandump(text) ? "is candump's log: log2long < FILE prints bytes that are read"
+         : isOtherDump     ? "is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v -t x1 prints one that is read"
+                           : "";
+}
+
+}  // namespace line
