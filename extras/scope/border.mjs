@@ -35,7 +35,7 @@ for (const [name, file, of = name] of [
 const flags = ['src/sbus/Frame.h', scope].flatMap((file) => [...read(file).matchAll(/constexpr uint8_t Flag([A-Z]\w*) = (\w+);/g)]);
 addEnum('Flag', flags.map(([, name, value]) => `${name} = ${value}`));
 
-for (const [name, file] of [['Enough', scope], ['TransferSize', scope], ['FileHeadMax', 'extras/line/file/LineReader.h']]) {
+for (const [name, file] of [['Enough', scope], ['TransferSize', scope], ['EndUs', scope], ['FileHeadMax', 'extras/line/file/LineReader.h']]) {
   lines.push(`export const ${name} = ${find(read(file), new RegExp(`constexpr size_t ${name} = (\\d+);`))};`);
 }
 const layoutOf = (struct) => find(layouts, new RegExp(`^ *0 \\| struct ${struct}\\n([^]*?)\\n\\n`, 'm'));

@@ -109,7 +109,7 @@ TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was l
   CHECK(strip[6].lost == doctest::Approx(0.33).epsilon(0.05));
   CHECK(strip[9].failsafe);
   CHECK(line::stripOf(flight.log(), 2).size() == 2);
-  CHECK(line::verdictOf(flight.log()).text.substr(0, 28) == "Failsafe 1 time, 2.0 s in al");
+  CHECK(line::verdictOf(flight.log()).text.substr(0, 30) == "Failsafe 1 time, longest 2.0 s");
 }
 
 TEST_CASE("a date is written and read to the microsecond") {

@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { build, check, downloaded, frame, playPaused, playToEnd, reads, recorded, root, seek } from './support.mjs';
+import { build, check, counts, downloaded, frame, playPaused, playToEnd, reads, recorded, root, seek } from './support.mjs';
 
 const bitUs = 10;
 
@@ -58,9 +58,9 @@ const choose = (page, name, content) => page.setInputFiles('#file', { name, mime
 
 export default async function () {
   for (const [recording, form, idle, signal, width] of [
-    ['paper', 'vcd', 0, 'RX, 100000 baud, 8E2, inverted', '0.5 s'],
-    ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted', '1 s'],
-    ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted', '0.5 s'],
+    ['paper', 'vcd', 0, 'RX, 100000 baud, 8E2, inverted', '0.401 s'],
+    ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted', '0.805 s'],
+    ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted', '0.2 s'],
   ]) {
     await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz and .zip, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
@@ -101,21 +101,21 @@ export default async function () {
   const noSignal = 'No signal has a frame of S.Bus: a frame is 25 characters (36 with 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap';
   for (const [name, content, said] of [
     ['idle.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', `idle.csv: signal Channel 0 has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
-    ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps the part before it\.$/],
-    ['wire.vcd.xz', Buffer.from('\xFD7zXZ\0', 'latin1'), 'wire.vcd.xz: is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'],
-    ['other.zip', pack([['a', Buffer.from('1')], ['b', Buffer.from('2')]]), 'other.zip: is a ZIP, but not a session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
-    ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
-    ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],
+    ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), 'In line 9 of broken.vcd, "-10" is not a time: a whole number is expected after #'],
+    ['wire.vcd.xz', Buffer.from('\xFD7zXZ\0', 'latin1'), 'wire.vcd.xz is packed in a way that is not read here: unpack it, or pack it as .gz or .zip'],
+    ['other.zip', pack([['a', Buffer.from('1')], ['b', Buffer.from('2')]]), 'other.zip is a ZIP, but not a session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
+    ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr has no samples: logic-1 or logic-1-1 is expected in it'],
+    ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr has no logic signals: a session with them, or CSV of analogue ones, is expected'],
     ['idle.sr', pack([['metadata', metadata], ['logic-1', Buffer.alloc(1000)]]), `idle.sr: signal A has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
-    ['cut.sr', whole.subarray(0, 600), 'cut.sr: cannot be read: the ZIP has no directory: is it incomplete?'],
-    ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
-    ['digital.bin', '<SALEAE>\0\0', 'digital.bin: is Logic 2\'s binary export: export it as CSV'],
-    ['logic.sal', pack([['meta.json', Buffer.from('{}')], ['digital-0.bin', Buffer.from('1')]]), 'logic.sal: is a capture of Saleae\'s Logic 2: export it as CSV (File, Export Raw Data)'],
-    ['utf8.bin', Buffer.from(String.fromCharCode(...frames.flat()), 'utf8'), /^This cannot be played: utf8\.bin: its bytes went through UTF-8: a program took them for text; /],
+    ['cut.sr', whole.subarray(0, 600), 'cut.sr cannot be read: the ZIP has no directory: is it incomplete?'],
+    ['damaged.sr', damaged, 'damaged.sr cannot be read: the ZIP is damaged'],
+    ['digital.bin', '<SALEAE>\0\0', 'digital.bin is Logic 2\'s binary export: export it as CSV'],
+    ['logic.sal', pack([['meta.json', Buffer.from('{}')], ['digital-0.bin', Buffer.from('1')]]), 'logic.sal is a capture of Saleae\'s Logic 2: export it as CSV (File, Export Raw Data)'],
+    ['utf8.bin', Buffer.from(String.fromCharCode(...frames.flat()), 'utf8'), /^utf8\.bin: its bytes went through UTF-8: a program took them for text; /],
   ]) {
     await check(`${name} is rejected with the message of the command, and the simulation continues`, async (page) => {
       await choose(page, name, content);
-      await reads(page, '#notice-text', typeof said === 'string' ? `This cannot be played: ${said}.` : said);
+      await reads(page, '#notice-text', typeof said === 'string' ? said.replace(/[^?]$/, '$&.') : said);
       await reads(page, '#state', 'Fine');
     });
   }
@@ -169,9 +169,28 @@ export default async function () {
     await reads(page, '#verdict-remedy', 'Turn software flow control off in the program that wrote it.');
   });
 
+  await check('a VCD that is cut within a line plays all whole ones, and says so', async (page) => {
+    const text = forms.vcd(edges(readFileSync(path.join(root, 'test/recordings/paper.txt'), 'utf8'), 0));
+    await playToEnd(page, 'half.vcd', text.slice(0, text.lastIndexOf('#') + 1));
+    await reads(page, '#title', /, cut off within its last line: what was not whole is left out$/);
+    await counts(page, 'frames', 5);
+  });
+
+  await check('the silence before the first frame of a capture and after the last one is a fault, which Next fault reaches', async (page) => {
+    const text = edges(readFileSync(path.join(root, 'test/recordings/frsky-neutral.txt'), 'utf8'), 0).map(([us, high]) => [us + 700000, high]);
+    await playToEnd(page, 'ends.vcd', `${forms.vcd([[0, 1 - text[0][1]], ...text])}#${text.at(-1)[0] + 900000}\n`);
+    await reads(page, '#fault-counts', /no frames: 2 ×/);
+    await reads(page, '#verdict-text', /^Signal lost/);
+    await seek(page, 0);
+    for (const at of [1, 2]) {
+      await page.click('#fault-next');
+      await reads(page, '#fault-text', new RegExp(`^Fault ${at} of 2: no frames, `));
+    }
+  });
+
   await check('a .gz that is cut off is rejected', async (page) => {
     await choose(page, 'cut.vcd.gz', gzipSync(forms.vcd([[0, 0], [10, 1]])).subarray(0, 40));
-    await reads(page, '#notice-text', /^This cannot be played: cut\.vcd\.gz: cannot be read: /);
+    await reads(page, '#notice-text', /^cut\.vcd\.gz cannot be read: [^.]*\.$/);
     await reads(page, '#state', 'Fine');
   });
 

@@ -1,7 +1,7 @@
 // Curves and bytes: what pointer and keyboard show of them.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { check, codes, connect, counts, drawn, frame, playPaused, playToEnd, raw, reads, recorded, root, seek, until } from './support.mjs';
+import { check, codes, connect, counts, drawn, frame, play, playPaused, playToEnd, raw, reads, recorded, root, seek, until } from './support.mjs';
 
 const pixels = (page) => page.evaluate(() => {
   const canvas = document.querySelector('#plot canvas');
@@ -188,6 +188,32 @@ export default async function () {
     await reads(page, '#state', 'Fine');
     for (let i = 0; i < 7; i++) await page.click('#zoom-out');
     await reads(page, '#window', '240 s');
+  });
+
+  await check('another line starts at its own length from the left, with what comes, and its label is true', async (page) => {
+    const ramp = (count) => Array.from({ length: count }, (_, i) => recorded(10000 * (i + 1), frame([i + 1, 300]))).join('');
+    await playPaused(page, 'twenty.txt', ramp(120000));
+    await until('it cannot be seen whole', async () => {
+      await page.click('#zoom-out');
+      return (await page.textContent('#window')) === '20 min';
+    });
+    await playPaused(page, 'three.txt', ramp(300));
+    await reads(page, '#window', '3 s');
+    await seek(page, 1000);
+    const over = await page.locator('#plot .u-over').boundingBox();
+    for (const [part, value] of [[0.2, 60], [0.9, 270]]) { // before the position, and after it
+      await until(`CH1 at ${part} of 3 s`, async () => {
+        await page.mouse.move(over.x + part * over.width, over.y + 40);
+        const [, read] = / CH1 (\d+) /.exec(await page.textContent('#readout')) ?? [];
+        return Math.abs(read - value) < 4;
+      });
+    }
+    await page.click('#source-simulated');
+    await reads(page, '#window', '10 s');
+    for (let i = 0; i < 7; i++) await page.click('#zoom-out');
+    await reads(page, '#window', '240 s');
+    await play(page, 'three.txt', ramp(300));
+    await reads(page, '#window', '3 s');
   });
 
   await check("a whole recording of a board's numbers has an axis for all of them", async (page) => {

@@ -23,7 +23,7 @@ export default async function () {
     await raw(page, 1, '1234');
     await lit(page, 'ch17');
     await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, true');
-    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001)');
+    await reads(page, '#title', 'Serial adapter, 100000 baud, 8E2, FTDI FT232 (0403:6001)');
     assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
     await page.click('#source-simulated');
     await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, false');
@@ -56,7 +56,7 @@ export default async function () {
     await page.reload();
     await reads(page, '#state', 'Fine');
     await shows(page);
-    await reads(page, '#verdict-text', 'All well.');
+    await reads(page, '#verdict-text', 'Simulation.');
   });
 
   for (const button of ['#source-adapter', '#known button']) {

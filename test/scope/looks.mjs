@@ -105,7 +105,7 @@ export default async function () {
   });
 
   await check('a screen reader hears the verdict, and the channels as meters', async (page) => {
-    await reads(page, '#announcement[role="status"]', /^All well/);
+    await reads(page, '#announcement[role="status"]', /^Simulation/);
     await until('CH7 has no value', async () => (await page.getAttribute('#bars li:nth-child(7) .track', 'aria-valuenow')) === '992');
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'role'), 'meter');
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'aria-label'), 'CH7');

@@ -4,8 +4,9 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { build, load } from './modules.mjs';
 
-const { CharacterSize, Enough, RecordReader, StatusReader, TransferSize } = await load('border');
+const { CharacterSize, EndUs, Enough, RecordReader, StatusReader, TransferSize } = await load('border');
 
+export { EndUs };
 export class Native {
   async load() {
     const noSystem = new Proxy({}, { get: () => () => 52 });
@@ -51,7 +52,7 @@ export class Native {
 
   // Returns the figures of the whole recording, after open().
   flight() {
-    const us = this.wasm.recordingLengthUs() + 1000;
+    const us = this.wasm.recordingLengthUs() + EndUs;
     const size = Math.floor(TransferSize / RecordReader.size) * RecordReader.size;
     this.wasm.beginFlight();
     this.advance(us, (records) => {

@@ -38,7 +38,7 @@ export default async function () {
     ['a receiver in failsafe shows in the verdict and the indicators, with the values as received', (page) => brings(page, frame([992, 992, 172], { flags: 0x0c })),
       ['#state', 'Failsafe'], ['#indicator-failsafe .value', 'on'], ['#indicator-lost-frame .value', 'on'], ['#verdict-text', /^Failsafe/], [rawOf(3), '172']],
     ['200000 baud are found on Fast S.Bus', (page) => brings(page, frame([1300]), 200000),
-      ['#verdict-note', /^Wrong baud rate: frames come only with the other baud rate\. .* Done: 200000 baud/], [rawOf(1), '1300'], ['#state', 'Fine']],
+      ['#verdict-note', /^Wrong baud rate: frames come only with the other baud rate\. The page has set it: 200000 baud/], [rawOf(1), '1300'], ['#state', 'Fine']],
     ['for bytes without frames, as with an inverter too many, the verdict is No frames, with the remedy',
       (page) => brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]),
       ['#verdict-text', /^No frames: bytes come/], ['#verdict-remedy', /Is an inverter missing, or one too many/], ['#state', 'Never seen'],
@@ -89,7 +89,7 @@ export default async function () {
       await reads(page, '#state', 'Fine');
       await page.evaluate((still) => fake.port.unplug({ bound: still }), bound);
       await reads(page, '#verdict-text', 'The port is gone.');
-      await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening again)');
+      await reads(page, '#title', 'Serial adapter, 100000 baud, 8E2, FTDI FT232 (0403:6001) (opening again)');
       await reads(page, '#state', 'Stale');
       await page.waitForTimeout(1500); // the page has tried it again; the browser says only that it cannot be opened
       await reads(page, '#verdict-text', 'The port is gone.');
@@ -118,10 +118,10 @@ export default async function () {
     await page.click('#source-adapter');
     await reads(page, '#verdict-text', 'The port cannot be opened.');
     await reads(page, '#verdict-remedy', /^Close the program/);
-    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (not open)');
+    await reads(page, '#title', 'Serial adapter, 100000 baud, 8E2, FTDI FT232 (0403:6001) (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
-    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001)');
+    await reads(page, '#title', 'Serial adapter, 100000 baud, 8E2, FTDI FT232 (0403:6001)');
   });
 
   await check('while a port takes 1.3 s to open nothing is tried, and then each baud rate is listened to for the same time', async (page) => {
@@ -129,7 +129,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.openMs = 1300));
     await connect(page);
     await reads(page, '#verdict-text', 'Listening.');
-    await reads(page, '#verdict-note', /^Wrong baud rate: .* Done: 200000 baud/);
+    await reads(page, '#verdict-note', /^Wrong baud rate: .* The page has set it: 200000 baud/);
     await reads(page, '#state', 'Fine');
     const opened = await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate));
     assert.deepEqual(opened, [100000, 200000]);
@@ -140,7 +140,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.openMs = 1300));
     await page.click('#source-adapter');
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
-    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening)');
+    await reads(page, '#title', 'Serial adapter, 100000 baud, 8E2, FTDI FT232 (0403:6001) (opening)');
     await page.click('#source-simulated');
     await reads(page, '#title', /^Simulated/);
     await reads(page, '#state', 'Fine');
@@ -149,7 +149,7 @@ export default async function () {
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
     await page.click('#source-board');
     await page.click('#source-adapter');
-    await reads(page, '#title', /^S\.Bus on a serial adapter/);
+    await reads(page, '#title', /^Serial adapter/);
     await raw(page, 1, '1200');
     await reads(page, '#state', 'Fine');
     assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
@@ -165,7 +165,7 @@ export default async function () {
     assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
     assert.equal(await page.getAttribute('#source-simulated', 'aria-pressed'), 'true');
     await reads(page, '#title', /^Simulated/);
-    await reads(page, '#verdict-text', 'All well.');
+    await reads(page, '#verdict-text', 'Simulation.');
   }
 
   await check('if no port is chosen, a notice says so, and the simulation, its recording and its verdict continue', async (page) => {
@@ -185,7 +185,7 @@ export default async function () {
   await check('if a file cannot be read, a notice says so, and the simulation, its recording and its verdict continue', (page) =>
     untouched(page, async () => {
       await page.setInputFiles('#file', { name: 'x.txt', mimeType: 'text/plain', buffer: Buffer.from('120 0F\n240 XY\n') });
-      await reads(page, '#notice-text', /^This cannot be played: x\.txt: line 2/);
+      await reads(page, '#notice-text', /^In line 2 of x\.txt, /);
     }));
 
   await check('a notice fades by itself', async (page) => {
@@ -265,6 +265,38 @@ export default async function () {
     await reads(page, '#bars li:nth-child(7) .us', '1500');
   });
 
+  await check("Noise is never beside a link that is fine, and another protocol's title and guide say nothing of S.Bus", async (page) => {
+    const damaged = frame([1000]).toSpliced(7, 1);
+    await page.evaluate(([bytes]) => (fake.port.onOpen = () => (fake.timer = fake.every(45, bytes))), [[...Array(4).fill(frame([1000])).flat(), ...damaged]]);
+    await connect(page);
+    await reads(page, '#verdict-text', /^Noise/);
+    await reads(page, '#state', 'Frames come');
+    await page.evaluate(() => clearInterval(fake.timer));
+    const crsf = 'C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41'.split(' ').map((word) => parseInt(word, 16));
+    await page.click('#source-simulated');
+    await page.evaluate((bytes) => (fake.port.onOpen = () => (fake.timer ??= fake.every(9, bytes))), crsf);
+    await page.evaluate(() => (fake.timer = undefined));
+    await connect(page);
+    await reads(page, '#verdict-text', /^Not S\.Bus: the receiver sends CRSF/);
+    assert.match(await page.textContent('#title'), /^Serial adapter, \d+ baud, 8E2/);
+    assert.ok(await page.locator('#guide').isHidden());
+  });
+
+  await check("an S.BUS2 line and neutral channels tell the scale, which the page suggests; rounded to 0 % there is no -0 %", async (page) => {
+    await opensWith(page, [1, 2, 3].map(() => frame(Array(16).fill(1024), { end: 0x04 })));
+    await connect(page);
+    await reads(page, '#scale-hint-text', "The line looks like a Futaba's: neutral is 1024.");
+    await page.click('#scale-use');
+    await reads(page, '#bars li:nth-child(5) .percent', '0.0');
+    assert.ok(await page.locator('#scale-hint').isHidden());
+    await page.click('#source-simulated');
+    await reads(page, '#scale-use', "Use FrSky's range");
+    await page.click('#scale-use');
+    await page.click('#source-adapter');
+    await page.evaluate((bytes) => fake.every(9, bytes), frame([991, 991, 992, 991]));
+    await reads(page, '#sticks', /aileron 0 %/);
+  });
+
   await check('with the wrong baud rate for a board, the page says what to choose, and then reads it', async (page) => {
     await page.evaluate((row) => {
       fake.port.onOpen = ({ baudRate }) => {
@@ -321,10 +353,10 @@ export default async function () {
     await brings(page, group, 100000, 60);
     await connect(page);
     await until('100 frames come', async () => (await counter(page, 'frames')) > 100);
+    await reads(page, '#verdict-text', /^All well/);
     await page.evaluate(() => clearInterval(fake.timer));
     const sent = Math.floor((await page.evaluate(() => fake.sent)) / 31);
     await until(async () => `${await counter(page, 'frames')} frames, of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 12);
     await counts(page, 'resyncs', /^0?$/);
-    await reads(page, '#verdict-text', /^All well/);
   });
 }

@@ -1,10 +1,11 @@
 // Page, host and sketches agree on every recording, and have the same message for each bad one.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
+import { random } from './modules.mjs';
 import { Native } from './native.mjs';
-import { check, counts, downloaded, frame, play, playToEnd, raw, reads, recorded, root, seek, toEnd, until } from './support.mjs';
+import { build, check, counter, counts, downloaded, frame, play, playToEnd, raw, reads, recorded, root, seek, toEnd, until } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
 
@@ -40,7 +41,7 @@ export default async function () {
       const name = `bad-${number}.txt`;
       await page.setInputFiles('#file', { name, mimeType: 'text/plain', buffer: Buffer.from(text.replaceAll('\\n', '\n')) });
       const said = () => page.textContent('#notice-text');
-      await until(async () => `${await said()}\n${row}`, async () => (await said()).includes(`${name}: ${line ? `line ${line}: ` : ''}${words}`));
+      await until(async () => `${await said()}\n${row}`, async () => (await said()).startsWith(line ? `In line ${line} of ${name}, ${words}` : `${name}${/^(is|has|ends|cannot) /.test(words) ? '' : ':'} ${words}`));
       await reads(page, '#state', 'Fine');
     }
   });
@@ -72,6 +73,33 @@ export default async function () {
         assert.equal(/cut off/.test(page.words(page.wasm.fileNote())), isHalf, part);
       }
     }
+  });
+
+  await check('after 12 to 80 bytes of junk the last frame is found, as sbus summary finds it, with and without times', async (page) => {
+    const next = random(67);
+    let found = 0;
+    const junk = (count) => Array.from({ length: count }, () => Math.floor(256 * next()));
+    for (let count = 12; count <= 80; count += 8) {
+      const bytes = [...junk(count).with(Math.floor(count * next()), 0x0f), ...frame([1000])]; // half a frame may begin there
+      const text = recorded(10000, bytes);
+      for (const [name, content] of [['time.txt', text], ['notime.txt', text.replace(/^\d+ /, '')], ['late.txt', text.replace(' ', '~18000 ')]]) {
+        await playToEnd(page, name, content);
+        const { stdout } = spawnSync(process.env.SCOPE_SBUS, ['summary', '--json', path.join(build, name)], { encoding: 'utf8' });
+        const frames = Number(/"frames":(\d+)/.exec(stdout)?.[1] ?? 0);
+        await until(`${count} bytes of junk, ${name}: not ${frames}`, async () => (await counter(page, 'frames')) === frames);
+        found += frames;
+      }
+    }
+    assert.ok(found > 20, `${found} frames`);
+  });
+
+  await check('bytes without times have no length, no rate and no intervals, and their failsafe no duration', async (page) => {
+    const flags = (i) => (i >= 90 && i < 130 ? 12 : 0);
+    await playToEnd(page, 'notime.txt', Array.from({ length: 240 }, (_, i) => recorded(0, frame([992 + i], { flags: flags(i) })).slice(2)).join(''));
+    await reads(page, '#whole-text', 'Failsafe 1 time; 16.67 % of the frames lost.');
+    await reads(page, '#report-facts', 'Times are not known: 240 frames; 40 with the lost-frame flag, 40 in failsafe; 0 discarded bytes, 0 character errors.');
+    assert.equal(await page.$eval('#report', (card) => / s\b|a second/.test(card.innerText)), false);
+    for (const where of ['#rate', '#gap']) await reads(page, where, '–');
   });
 
   await check('what is left out of a file that is cut off stands beside its name', async (page) => {
@@ -164,26 +192,35 @@ export default async function () {
     assert.deepEqual(await drag('text'), [false, true]);
     assert.deepEqual(await drag('file'), [true, false]);
     await page.evaluate(() => dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), {
-      dataTransfer: { files: [new File([''], 'flights')], items: [{ webkitGetAsEntry: () => ({ isDirectory: true }) }] },
+      dataTransfer: { files: [new File([''], 'flights')], items: [{ webkitGetAsEntry: () => ({ isDirectory: true, createReader: () => ({ readEntries: (take) => take([]) }) }) }] },
     })));
     await reads(page, '#notice-text', 'flights is a folder.');
     assert.ok(await page.locator('#drop').isHidden());
   });
 
-  for (const [name, content, said] of [
-    ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /is a picture, a document or a program/],
-    ['nothing.txt', '', /is empty/],
+  await check('a folder with one file, beside hidden ones, plays it', async (page) => {
+    await page.evaluate((text) => {
+      const entry = (name) => ({ name, isFile: true, file: (take) => take(new File([text], name)) });
+      const folder = { isDirectory: true, createReader: () => ({ readEntries: (take) => take([entry('.DS_Store'), entry('flight.txt')]) }) };
+      dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File([''], 'flights')], items: [{ webkitGetAsEntry: () => folder }] } }));
+    }, recorded(9000, frame([1000])));
+    await reads(page, '#title', 'Recording flight.txt');
+  });
+
+  for (const [name, content, said, remedy] of [
+    ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /^picture\.png is a picture, a document or a program/, /^The page plays recordings .* captures of the wire/],
+    ['nothing.txt', '', /^nothing\.txt is empty/, /^$/],
   ]) {
-    await check(`${name} is rejected with the reason, and what reads captures`, async (page) => {
+    await check(`${name} is rejected with the reason, and what can be played only where that helps`, async (page) => {
       await drop(page, name, content);
       await reads(page, '#notice-text', said);
-      await reads(page, '#notice-remedy', /sbus decode/);
+      await reads(page, '#notice-remedy', remedy);
       await reads(page, '#state', 'Fine');
     });
   }
 
   await check('a file that is too large for the memory is rejected; the notice says which command reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
-    await reads(page, '#notice-text', /year\.txt: is larger than 2 GB: sbus summary/);
+    await reads(page, '#notice-text', /^year\.txt is larger than 2 GB: sbus summary/);
   });
 }

@@ -100,13 +100,31 @@ export default async function () {
     await until('the worker goes on', () => page.workers().length === 1);
   });
 
+  await check('a file that is chosen while a large one is read has its own title, and the worker of the large one ends', async (page) => {
+    await drop(page, 'large.txt', 700000);
+    await reads(page, '#title', /\(reading large\.txt: \d+ %\)$/);
+    await drop(page, 'small.txt', 100);
+    await reads(page, '#title', 'Recording small.txt');
+    await until('the worker goes on', () => page.workers().length === 2); // the simulation's, and that of the recording
+    await page.waitForTimeout(300);
+    assert.equal(await page.textContent('#title'), 'Recording small.txt');
+  });
+
+  await check('a dialog of ports that is never answered leaves the title of the next source alone', async (page) => {
+    await page.evaluate(() => (navigator.serial.requestPort = () => new Promise(() => undefined)));
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^Simulated .*\(until the next one is ready\)$/);
+    await drop(page, 'small.txt', 100);
+    await reads(page, '#title', 'Recording small.txt');
+  });
+
   await check('a file that cannot be read leaves the playing recording, its position and its curves as they are', async (page) => {
     await playPaused(page, file);
     await seek(page, 350000);
     await until('no history', async () => (await downloaded(page, '#csv')).text.length > 1e6);
     const { text: before } = await downloaded(page, '#csv');
     await drop(page, 'bad.txt', 10000, '!\n');
-    await reads(page, '#notice-text', /bad\.txt: line \d+: .* is not a time/);
+    await reads(page, '#notice-text', /^In line \d+ of bad\.txt, .* is not a time/);
     await reads(page, '#title', 'Recording seek.txt');
     assert.match(await page.textContent('#position-text'), /^5:50\.0 /);
     assert.equal((await downloaded(page, '#csv')).text, before);

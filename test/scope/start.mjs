@@ -24,8 +24,8 @@ export default async function () {
 
   await check('the page opens with the simulated receiver running, and requests nothing from the network', async (page) => {
     await reads(page, '#state', 'Fine');
-    await reads(page, '#verdict-text', 'All well.');
-    await reads(page, '#verdict-remedy', 'Nothing to do.');
+    await reads(page, '#verdict-text', 'Simulation.');
+    await reads(page, '#verdict-remedy', 'Connect yours with Adapter…, or drop a file.');
     await reads(page, '#rate', /^11[0-2]$/);
     await reads(page, '#gap', '9.0 ms');
     await counts(page, 'frames', /^\d{3}/);
@@ -59,12 +59,12 @@ export default async function () {
     await reads(page, '#rate', '0');
     await page.click('#cut');
     await reads(page, '#state', 'Fine');
-    await reads(page, '#verdict-text', 'All well.');
+    await reads(page, '#verdict-text', 'Simulation.');
   });
 
   for (const [fault, found] of [
-    ['inversion', /^Wrong polarity: .* Done: 100000 baud, inverted\.$/],
-    ['baud', /^Wrong baud rate: .* Done: 100000 baud, inverted\.$/],
+    ['inversion', /^Wrong polarity: .* The page has set it: 100000 baud, inverted\.$/],
+    ['baud', /^Wrong baud rate: .* The page has set it: 100000 baud, inverted\.$/],
   ]) {
     await check(`at the simulated fault ${fault} the page tries the other settings, says which is right, and keeps it`, async (page) => {
       await page.selectOption('#fault', fault);

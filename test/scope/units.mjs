@@ -106,14 +106,19 @@ check('a recording can be shown from end to end, and its edge stays within it', 
     view.step(step);
     return [view.seconds, view.edge];
   });
-  assert.deepEqual(walk(-1, 10).slice(4), [[240, 100], [480, 480], [960, 960], [1920, 1920], [3600, 3600], [3600, 3600]]);
+  assert.deepEqual(walk(-1, 10).slice(4), [[240, 240], [480, 480], [960, 960], [1920, 1920], [3600, 3600], [3600, 3600]]);
   for (let i = 0; i < 1000; i++) {
     [() => view.zoom(2 ** (2 * random() - 1), random()), () => view.scroll(random() - 0.5), () => view.centre(4000 * random())][i % 3]();
     assert.ok(view.edge <= 3600 && view.seconds <= 3600 && (!view.isWide || view.begin >= -1e-9), `${view.begin} to ${view.edge}`);
-    assert.equal(view.isAway, view.edge > 100.001);
+    assert.equal(view.isAway, view.paused && view.edge > 100.001);
   }
-  view.follow(100, 0);
-  assert.equal(view.seconds <= 240, true);
+  view.enter(0);
+  view.follow(3, 0);
+  assert.deepEqual([view.seconds, view.edge, view.isAhead], [10, 10, true]); // another line: its beginning
+  view.enter(2.5);
+  assert.deepEqual([view.seconds, view.begin], [2.5, 0.5]);
+  view.follow(1, 0);
+  assert.deepEqual([view.seconds, view.begin], [2.5, 0]);
 });
 
 check('a curve has each value in its place, and breaks at a silence and where a sensor measures nothing; failsafe and losses are bands', () => {

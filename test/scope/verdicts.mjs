@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { Native } from './native.mjs';
+import { EndUs, Native } from './native.mjs';
 import { check, root } from './support.mjs';
 
 const test = path.join(root, 'test');
@@ -34,7 +34,7 @@ class Page extends Native {
 
   recording(text) {
     this.open(text);
-    const endUs = this.wasm.recordingLengthUs() + 1000;
+    const endUs = this.wasm.recordingLengthUs() + EndUs;
     this.advance(endUs);
     return this.status(endUs, 'findingSoFar');
   }

@@ -81,13 +81,18 @@ export default async function () {
     await playPaused(page, 'wire.vcd', vcd);
     for (const [character, wrong] of [[5 * 25 + 1, ''], [bad.parity, ', wrong parity'], [bad.stop, ', wrong stop bit']]) {
       const begin = beginOf(character);
-      const middleUs = 1000 * Math.round((begin + 6 * bitUs) / 1000);
-      await seek(page, middleUs / 1000 + 2);
+      const frameUs = beginOf(4 * 25); // the frame after it is damaged
+      await seek(page, 50);
+      await reads(page, '#lines .time', /^0\.04[78]$/);
       await page.focus('#wire-plot');
       await page.keyboard.press('0');
+      await reads(page, '#wire-width', '3.3 ms'); // the last whole frame
       await page.keyboard.press('+');
-      await reads(page, '#wire-width', '1 ms');
-      const [fromUs, toUs] = [middleUs - 500, middleUs + 500];
+      await reads(page, '#wire-width', '825 µs');
+      const steps = Math.round((frameUs + 1500 - begin) / 82.5);
+      for (let i = 0; i < Math.abs(steps); i++) await page.keyboard.press(steps > 0 ? 'ArrowLeft' : 'ArrowRight');
+      const fromUs = frameUs + 1500 - 412.5 - 82.5 * steps;
+      const toUs = fromUs + 825;
       const hex = byteOf(character).toString(16).toUpperCase().padStart(2, '0');
       const names = ['start', ...Array.from({ length: 8 }, (_, bit) => `d${bit} = ${(byteOf(character) >> bit) & 1}`), 'parity', 'stop', 'stop'];
       const bits = bitsOf(character);
@@ -106,6 +111,9 @@ export default async function () {
     await playPaused(page, 'wire.vcd', vcd);
     const below = () => page.$$eval('#fault-next, #plot, #bits, #wire-plot', (all) => all.map((each) => [each.id, each.getBoundingClientRect().bottom + scrollY]).filter(([, bottom]) => bottom > 900));
     await until(async () => `below 900 px: ${await below()}`, async () => (await below()).length === 0);
+    await page.setViewportSize({ width: 1400, height: 900 });
+    await until('25 bytes in two rows', () => page.$$eval('#bits .byte', (all) => all.length === 25 && all[0].offsetTop === all[24].offsetTop));
+    assert.equal((await page.locator('#plot').boundingBox()).height, (await page.locator('#wire-plot').boundingBox()).height);
     await seek(page, 10000);
     for (let i = 0; i < 9; i++) await page.click('#wire-out');
     await reads(page, '#wire-width', /^28\.\d s$/);
@@ -116,9 +124,9 @@ export default async function () {
     await page.focus('#wire-plot');
     await page.keyboard.press('0');
     await page.mouse.move(0, 0);
-    await reads(page, '#wire-text', /^9\.998/);
+    await reads(page, '#wire-text', /^[0-9A-F]{2} at 9\.99/);
     await seek(page, 20000);
-    await reads(page, '#wire-text', /19\.998/);
+    await reads(page, '#wire-text', /^[0-9A-F]{2} at 19\.99/);
     await page.click('#source-simulated');
     await until('a simulation has a wire', () => page.evaluate(() => document.querySelector('#wire').hidden));
   });

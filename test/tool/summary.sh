@@ -71,7 +71,7 @@ while read -r words; do
   grep -q "$words" "$work/words"
   verdict $? "the report has: $words"
 done <<'END'
-Failsafe 3 times, 0.2 s in all; no frames 1 time, 0.5 s in all; 25.00 % of the frames lost\.
+Failsafe 3 times, longest 0.2 s; no frames 1 time, longest 0.5 s; 25.00 % of the frames lost\.
 1\.394 s long: 100 frames, 111\.. a second; 25 with the lost-frame flag, 0 missing, 23 in failsafe; 0 discarded bytes, 0 character errors
 S\.BUS, 100000 baud, 8E2, inverted
 Failsafe: 3 times, 0\.189 s in all

@@ -75,6 +75,7 @@ CaptureEnd CaptureText::finish(const std::string &failure) {
   _error = _error.empty() ? _reader->finish() : _error;
   const std::string place = _name + ":" + std::to_string(_reader->lines()) + ": ";
   end.error = _error.empty() ? "" : place + (_cutOff ? "the capture ends within this line: " : "") + _error;
+  end.isCut = _cutOff && !_error.empty() && failure.empty();
   end.error = failure.empty() ? end.error : _name + ": " + failure;
   _decoder.finish(_reader->endNs(), !end.error.empty());
   end.format = _reader->format();

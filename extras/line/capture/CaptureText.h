@@ -15,6 +15,7 @@ struct CaptureEnd {
   double periodNs = 0;    // between two samples; 0 if unknown
   std::string error;      // with its place in the file; the part before it was decoded. Empty without an error
   std::string rejection;  // why it is not a capture, and nothing was decoded; empty if it is one
+  bool isCut = false;     // the error is that the last line is not whole
 };
 
 class CaptureText {

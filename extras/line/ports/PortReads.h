@@ -28,7 +28,18 @@ class PortReads {
     _latestUs = aheadUs < UINT64_MAX ? nowUs + aheadUs : UINT64_MAX;
     const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
     _nextUs = std::max(_nextUs, earliestUs);
+    _stepUs = _characterUs;
     _readLateUs = static_cast<uint32_t>(std::min<uint64_t>(_lateUs + nowUs - _emptyUs, UINT32_MAX));
+  }
+
+  // Takes a read of `count` characters that a stalled port has held back since `fromUs`, though it said that it was
+  // empty. They were sent every `stepUs` on average.
+  void beginHeld(size_t count, uint64_t fromUs, uint64_t stepUs, uint64_t nowUs) {
+    const uint64_t nextUs = std::max(_nextUs, fromUs + stepUs);
+    _emptyUs = fromUs;
+    begin(count, nowUs, 0);
+    _nextUs = nextUs;
+    _stepUs = std::min(stepUs, (nowUs - fromUs) / count);
   }
 
   Character next(uint8_t value, bool bad = false) {
@@ -37,7 +48,7 @@ class PortReads {
     character.value = value;
     character.bad = bad;
     character.lateUs = _readLateUs;
-    _nextUs = std::min(_nextUs + _characterUs, std::max(_nextUs + 1, _latestUs));
+    _nextUs = std::min(_nextUs + _stepUs, std::max(_nextUs + 1, _latestUs));
     return character;
   }
 
@@ -59,6 +70,7 @@ class PortReads {
   uint64_t _emptyUs = 0;
   uint64_t _nextUs = 0;  // the earliest end of the next character
   uint64_t _latestUs = 0;
+  uint64_t _stepUs = 0;  // from one to the next
 };
 
 }  // namespace line

@@ -68,9 +68,9 @@ class Judge {
   size_t _lateAt = 0;
 };
 
-std::string times(const std::vector<FlagSpan> &spans) {
-  return format("%zu %s, %.1f s in all", spans.size(), spans.size() == 1 ? "time" : "times",
-                static_cast<double>(sumUs(spans)) / 1e6);
+std::string times(const std::vector<FlagSpan> &spans, bool hasTimes) {
+  return format("%zu %s", spans.size(), spans.size() == 1 ? "time" : "times") +
+         (hasTimes ? format(", longest %.1f s", static_cast<double>(longest(spans, 1)[0].us()) / 1e6) : "");
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count) {
   return worst;
 }
 
-FlightVerdict verdictOf(const FlightLog &flight) {
+FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes) {
   using Severity = FlightVerdict::Severity;
   const std::vector<FlagSpan> failsafe = flight.spans(FlagSpan::Kind::Failsafe);
   const std::vector<FlagSpan> pulseless = flight.spans(FlagSpan::Kind::NoPulses);
@@ -171,8 +171,8 @@ FlightVerdict verdictOf(const FlightLog &flight) {
       all > 0 ? static_cast<double>(counters.lostFrames + flight.rate().missing()) / static_cast<double>(all) : 0;
   const std::string lostText = format("%.2f %% of the frames lost", 100 * lost);
   std::string text;
-  const auto add = [&text](const char *name, const std::vector<FlagSpan> &spans) {
-    text += spans.empty() ? "" : (text.empty() ? "" : "; ") + (name + times(spans));
+  const auto add = [&text, hasTimes](const char *name, const std::vector<FlagSpan> &spans) {
+    text += spans.empty() ? "" : (text.empty() ? "" : "; ") + (name + times(spans, hasTimes));
   };
   add("failsafe ", failsafe);
   add("no pulses (0 on CH1 to CH4, without a flag) ", pulseless);

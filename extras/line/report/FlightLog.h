@@ -118,6 +118,7 @@ struct FlightVerdict {
   Severity severity;
   std::string text;
 };
-FlightVerdict verdictOf(const FlightLog &flight);
+// Without times it tells no lengths.
+FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes = true);
 
 }  // namespace line

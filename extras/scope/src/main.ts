@@ -4,7 +4,6 @@ import './style.css';
 import { Core } from './core';
 import { byId, make, setText } from './dom';
 import { scopeOf } from './scope';
-import { CalibrationView } from './view/calibration';
 import { NoticeView } from './view/notice';
 
 const stays = 'Save the recording, and reload the page.';
@@ -42,7 +41,6 @@ for (const query of [dark, matchMedia('(forced-colors: active)')]) {
 }
 
 void keepOffline();
-const calibration = new CalibrationView(core);
 await scope.begin();
 
 // Where a server has sw.js and manifest.webmanifest beside the page, it can be installed, and opens without the server. The page
@@ -62,6 +60,5 @@ async function keepOffline(): Promise<void> {
 function picture(): void {
   requestAnimationFrame(picture); // first: a view that throws ends no other picture
   scope.draw();
-  calibration.draw();
 }
 picture();

@@ -193,12 +193,12 @@ export type Answer =
   | { kind: 'failed'; error: string }
   | { kind: 'refused' } // the worker does not find the port
   // Of a file: what carries the line in a capture; its signals with S.Bus, that one first; what a user should know; what is wrong with its bytes, and what to do; its own time at time 0, not above 0; when time 0 was, in us since
-  // 1970.
-  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; picture: Picture }
+  // 1970; whether its times are the line's.
+  | { kind: 'opened'; lengthUs: number; carrier: string; signals?: string[]; note?: string; damage?: string[]; zeroUs?: number; startUs?: number; hasTimes: boolean; picture: Picture }
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
-  | { kind: 'envelope'; envelope: Envelope } // once all is decoded, of a long recording
+  | { kind: 'envelope'; envelope: Envelope } // once all is decoded
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek

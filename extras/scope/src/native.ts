@@ -5,6 +5,7 @@ import type { Picture } from './messages';
 
 // A piece of the line: a frame, or the bytes between two.
 export interface Stretch {
+  beginUs: number; // of its first start bit
   endUs: number;
   kind: Kind;
   flags: number;
@@ -156,9 +157,9 @@ export class Native {
   }
 
   private stretch(record: RecordReader): Stretch {
-    const { endUs, kind, flags, state } = record;
+    const { beginUs, endUs, kind, flags, state } = record;
     return {
-      endUs, kind, flags, state,
+      beginUs, endUs, kind, flags, state,
       channels: record.channels.slice(0, record.channelCount),
       readings: record.readings.slice(0, record.readingCount),
       bytes: record.bytes.slice(0, record.size),

@@ -1,6 +1,6 @@
 // Ties the rooms of the page to the source that is chosen, and draws them sixty times a second.
 
-import { Flag, Kind, LinkState } from './border';
+import { Finding, Flag, Kind, LinkState } from './border';
 import { setZero } from './clock';
 import type { Core } from './core';
 import { byId, setText } from './dom';
@@ -38,12 +38,9 @@ export function scopeOf(core: Core, notice: NoticeView, failed: (view: string, e
       rooms.forEach((room) => room.enter?.(source));
     },
   );
-  const seeking = (): void => keep.endRecording();
-  const line = lineRoom(core, choice, (us) => recording.visit(us), seeking);
-  const keep = keepRoom(choice, line);
-  const recording = recordingRoom(core, choice, line, seeking, notice);
+  const line = lineRoom(core, choice);
   const live = liveRoom(core, choice, notice);
-  const rooms: Room[] = [sourceRoom(choice), line, keep, recording, live];
+  const rooms: Room[] = [sourceRoom(choice), line, keepRoom(choice, line), recordingRoom(core, choice, line, notice), live];
   const broken = new Set<string>(); // views
 
   function draw(): void {
@@ -92,7 +89,8 @@ function sourceRoom(choice: Choice<Source>): Room {
     if (document.body.dataset.line !== line) {
       document.body.dataset.line = line;
     }
-    guide.hidden = !never;
+    const { round = Finding.NoSignal } = source.line.picture.live ?? {};
+    guide.hidden = !never || (round >= Finding.IBus && round <= Finding.IdleLevel); // its wires are right
   }
 
   return { views: { 'The choice of views': draw }, enter };

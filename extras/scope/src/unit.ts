@@ -31,7 +31,7 @@ const units: Record<string, Unit> = {
   us: { raw: false, low: 860, high: 2140, range: { low: 988, centre: 1500, high: 2012 }, text: whole },
   percent: { raw: false, low: -125, high: 125, range: { low: -100, centre: 0, high: 100 }, text: asPrinted },
   thousandths: { raw: false, low: -1250, high: 1250, range: { low: -1000, centre: 0, high: 1000 }, text: whole },
-  parts: { raw: false, low: -1.25, high: 1.25, range: { low: -1, centre: 0, high: 1 }, text: (value) => value.toFixed(3) },
+  parts: { raw: false, low: -1.25, high: 1.25, range: { low: -1, centre: 0, high: 1 }, text: (value) => (Math.round(1000 * value) / 1000 + 0).toFixed(3) },
 };
 
 // Returns where an axis has numbers: its ends, and the ends and centre of the range, or 0.

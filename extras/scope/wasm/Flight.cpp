@@ -42,7 +42,7 @@ std::string json(const std::vector<line::FlagSpan> &spans) {
 }
 
 std::string json(const line::FlightLog &log) {
-  const line::FlightVerdict verdict = verdictOf(log);
+  const line::FlightVerdict verdict = verdictOf(log, theTape.hasTimes);
   const line::FlightCounts &counts = log.counts();
   std::string text = line::format("{\"severity\":%d,\"text\":\"%s\",\"fromUs\":%llu,\"toUs\":%llu,",
                                   static_cast<int>(verdict.severity), verdict.text.c_str(), number(log.firstUs()),

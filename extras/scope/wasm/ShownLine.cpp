@@ -45,6 +45,7 @@ void ShownLine::reset(uint64_t nowUs, const line::LineSettings &now) {
   observer.reset(nowUs, settings.characterUs());
   _reads = line::PortReads(settings.characterUs());
   _reads.empty(nowUs);
+  _stalled = StalledReads();
   _lateReads = 0;
   _lateUs = 0;
   _characterUs = 0;
@@ -59,11 +60,26 @@ void ShownLine::mark() {
 }
 
 void ShownLine::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
-  _reads.begin(count, nowUs, line::PortReads::UsualLatencyUs);
-  for (size_t i = 0; i < count; i++) {
-    const line::Character character = _reads.next(bytes[i]);
-    put(character);
-    if (rows.put(bytes[i], nowUs)) {
+  _stalled.put(bytes, count, nowUs);
+  takeReads(nowUs);
+}
+
+void ShownLine::takeReads(uint64_t nowUs) {
+  if (!_stalled.isHolding() || _stalled.waits(nowUs)) {
+    return;
+  }
+  const std::vector<uint8_t> bytes = _stalled.take();
+  if (_stalled.isStall()) {
+    _reads.beginHeld(bytes.size(), _stalled.quietUs(), _stalled.stepUs(), nowUs);
+  } else {
+    _reads.begin(bytes.size(), nowUs, line::PortReads::UsualLatencyUs);
+  }
+  uint64_t toComeUs = bytes.size() * settings.characterUs();
+  for (const uint8_t byte : bytes) {
+    const line::Character character = _reads.next(byte);
+    toComeUs -= settings.characterUs();
+    put(character, _stalled.isStall() ? nowUs - toComeUs : character.endUs);  // a recording has the times of the reads
+    if (rows.put(byte, nowUs)) {
       takeRow(nowUs, character.lateUs);
     }
   }
@@ -71,13 +87,14 @@ void ShownLine::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
 
 void ShownLine::receivedBad(uint64_t nowUs) {
   _reads.begin(1, nowUs, line::PortReads::UsualLatencyUs);
-  put(_reads.next(0, true));
+  const line::Character character = _reads.next(0, true);
+  put(character, character.endUs);
 }
 
-void ShownLine::put(const line::Character &character) {
+void ShownLine::put(const line::Character &character, uint64_t readUs) {
   if (_isRecording) {  // the characters of a read may have been on the line a little before
     line::Character recorded = character;
-    recorded.endUs = std::max(character.endUs, _recordedUs + settings.characterUs());
+    recorded.endUs = std::max(readUs, _recordedUs + settings.characterUs());
     recorder.put(recorded);
   }
   observer.put(character);
@@ -103,7 +120,7 @@ void ShownLine::advance(uint64_t nowUs) {
   line::Character character;
   while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
     verdict.until(observer, settings, character.endUs);
-    put(character);
+    put(character, character.endUs);
     if (played && rows.put(character)) {  // a board's port was recorded
       takeRow(character.endUs, character.lateUs);
     }
@@ -111,7 +128,8 @@ void ShownLine::advance(uint64_t nowUs) {
   if (played && played->needsMore()) {
     return;
   }
-  if (nowUs >= _lookUs + LookUs) {  // the browser has handed over all that had come by the last look
+  takeReads(nowUs);
+  if (nowUs >= _lookUs + LookUs && !_stalled.isHolding()) {  // the browser has handed over all that had come by the last look
     _reads.empty(_lookUs);
     _lookUs = nowUs;
   }
@@ -120,7 +138,7 @@ void ShownLine::advance(uint64_t nowUs) {
   if (records.size() < Enough && nowUs > onItsWayUs) {
     observer.idleUntil(line != nullptr ? line->knownUs(nowUs - onItsWayUs) : _reads.knownUs());
   }
-  if (played && played->atEnd() && !_finished) {
+  if (played && played->atEnd() && !_finished && nowUs >= _characterUs + EndUs) {
     _finished = true;
     observer.finish();
   }
@@ -214,6 +232,7 @@ void ShownLine::take(const line::Stretch &stretch) {
   const line::Values &newest = observer.newest();
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
+  record.beginUs = static_cast<double>(stretch.characters.front().endUs) - settings.characterUs();
   record.lateUs = static_cast<double>(stretch.lateUs());
   record.damagedUs = static_cast<double>(_damage.take(stretch, !observer.telemetry().proved().empty()));
   record.kind = static_cast<uint8_t>(stretch.kind);

@@ -10,6 +10,7 @@
 #include "Damage.h"
 #include "FedLine.h"
 #include "SimulatedLine.h"
+#include "StalledReads.h"
 #include "VerdictOfSecond.h"
 #include "line/Condition.h"
 #include "line/Examination.h"
@@ -22,6 +23,9 @@
 namespace scope {
 
 constexpr size_t TransferSize = 65536;  // bytes that the page can hand over at once
+
+// How long a recording goes on after its last character, in us: the silence shows that the last frame is whole.
+constexpr size_t EndUs = 3000;
 
 // The buffer for them: bytes of a port, text of a recording.
 alignas(8) extern uint8_t transfer[TransferSize];
@@ -63,6 +67,7 @@ struct Record {
   static constexpr size_t ReadingsMax = sbus::SlotCount + 1;  // see readingOf()
 
   double endUs;
+  double beginUs;                // of its first character's start bit
   double lateUs;                 // it may have come this much earlier
   double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest values of all channels
@@ -136,7 +141,8 @@ class ShownLine {
   line::RecordingWriter recorder;
 
  private:
-  void put(const line::Character &character);
+  void takeReads(uint64_t nowUs);
+  void put(const line::Character &character, uint64_t readUs);
   void take(const line::Stretch &stretch);
   void add(const Record &record);
   void takeRow(uint64_t nowUs, uint64_t lateUs);
@@ -147,6 +153,7 @@ class ShownLine {
   std::deque<Record> _lately;
   std::optional<Record> _newest;  // frame or row
   line::PortReads _reads;         // of a port
+  StalledReads _stalled;          // of a port
   Damage _damage;
   std::optional<line::Condition> _condition;
   bool _isRecording = false;

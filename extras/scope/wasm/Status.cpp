@@ -34,6 +34,7 @@ struct Status {
   double lateReads;     // of a port: those that were 0.1 s late or more
   double quietUs;       // since the newest character
   double finding;       // of the last whole second of the line's time; -1 before the first is over
+  double hadFrames;     // by the end of that second
   double findingSoFar;  // of all that has come
 };
 
@@ -91,6 +92,7 @@ EXPORT(status)(double now)->const Status * {
   answer.lateReads = d(shownLine.lateReads());
   answer.quietUs = d(nowUs - std::min(nowUs, shownLine.characterUs()));
   answer.finding = shownLine.verdict.finding() ? d(static_cast<uint64_t>(*shownLine.verdict.finding())) : -1;
+  answer.hadFrames = shownLine.verdict.hadFrames();
   answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
 }

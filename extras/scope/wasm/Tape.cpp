@@ -49,6 +49,7 @@ void keep() {
   }
 }
 
+constexpr const char *CutOff = "cut off within its last line: what was not whole is left out";
 bool isCut = false;      // the last line has no LF: the power may have failed within it
 bool isLeftOut = false;  // all of it was left out, or its last byte, since it was not whole
 
@@ -90,7 +91,7 @@ std::string finishText() {
   const std::string missing = reader->finish(came);
   error = error.empty() && !isCut ? missing : error;
   if (isLeftOut || (isCut && !missing.empty())) {
-    head.note += (head.note.empty() ? "" : ", ") + std::string("cut off within its last line: what was not whole is left out");
+    head.note += (head.note.empty() ? "" : ", ") + std::string(CutOff);
   }
   keep();
   tape.zeroUs = reader->zeroUs();
@@ -99,12 +100,17 @@ std::string finishText() {
 
 line::CaptureEnd finishSession() {
   capture->wire().finish(session->endNs(), !sessionError.empty());
-  return {session->format(), session->periodNs(), sessionError.empty() ? "" : name + ": " + sessionError, ""};
+  return {session->format(), session->periodNs(), sessionError.empty() ? "" : name + ": " + sessionError, "", false};
 }
 
 // Returns why a capture cannot be played.
 std::string finishCapture() {
-  const std::string failure = capture->failure(name, session ? finishSession() : captureText->finish(""));
+  line::CaptureEnd end = session ? finishSession() : captureText->finish("");
+  if (end.isCut && !capture->recording.characters.empty()) {
+    end.error.clear();
+    head.note = CutOff;
+  }
+  const std::string failure = capture->failure(name, end);
   if (failure.empty()) {
     settings = capture->settings();
     tape = std::move(capture->recording);
@@ -142,6 +148,7 @@ EXPORT(openFile)(unsigned count)->const char * {
   head = line::readFileHead(transferred(count), name);
   settings = head.settings;
   theTape.startUs = head.startUs;
+  theTape.hasTimes = head.hasTimes;
   reader = line::makeReader(head, true);
   if (head.kind == line::FileKind::Capture) {
     capture = std::make_unique<line::RecordedCapture>(overrides, true);
@@ -216,6 +223,11 @@ EXPORT(fileDamage)()->const char * {
 // Returns the file's own time at time 0 of its characters, in us: below 0 if it begins before its trigger.
 EXPORT(recordingZeroUs)()->double {
   return static_cast<double>(tape.zeroUs);
+}
+
+// Returns false if the times are not the line's: frames are assumed to be back to back.
+EXPORT(recordingHasTimes)()->int {
+  return theTape.hasTimes;
 }
 
 // Returns when time 0 of the recording was, in us since 1970; 0 if it does not say so.
@@ -307,8 +319,10 @@ EXPORT(characters)(double fromUs, unsigned most)->unsigned {
   return count;
 }
 
+// Returns when it ends, in us: with its last character, or with the capture.
 EXPORT(recordingLengthUs)()->double {
-  return static_cast<double>(tape.characters.back().endUs);
+  const double endUs = static_cast<double>(tape.characters.back().endUs);
+  return capture ? std::max(endUs, static_cast<double>(capture->wire().endNs() - capture->zeroNs()) / 1000) : endUs;
 }
 EXPORT(recordingSize)()->unsigned {
   return static_cast<unsigned>(tape.characters.size());

@@ -14,6 +14,7 @@ struct Tape {
   std::string name;  // of the file
   line::LineSettings settings;
   line::Recording recording;
+  bool hasTimes = true;            // of the line
   std::optional<int64_t> startUs;  // when its time 0 was, in us since 1970
 };
 

@@ -27,6 +27,8 @@ class VerdictOfSecond {
 
   // Returns the finding of the last whole second; none before the first is over.
   std::optional<sbus::Finding> finding() const { return _finding; }
+  // Returns true if frames had come by its end.
+  bool hadFrames() const { return _hadFrames; }
 
  private:
   static constexpr uint64_t SecondUs = 1000000;
@@ -36,6 +38,7 @@ class VerdictOfSecond {
     const uint64_t seconds = (nowUs - _beganUs) / SecondUs;
     sbus::Diagnosis diagnosis;
     diagnosis.add(_second.trial(observer, port, _beganUs + SecondUs));
+    _hadFrames = observer.newest().count > 0;
     _finding = seconds > 1 ? sbus::Finding::NoSignal : diagnosis.finding();
     _beganUs += seconds * SecondUs;
     _second.begin(observer, _beganUs);
@@ -44,6 +47,7 @@ class VerdictOfSecond {
   line::Examination _second;
   uint64_t _beganUs = 0;
   std::optional<sbus::Finding> _finding;
+  bool _hadFrames = false;
 };
 
 }  // namespace scope

@@ -8,6 +8,7 @@ import type { Choice } from '../source/choice';
 import type { Remote } from '../source/remote';
 import type { Source } from '../source/Source';
 import type { LineRoom } from './line';
+import type { Room } from './Room';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 
@@ -31,6 +32,7 @@ class Recorder {
     this.parts = [];
     this.bytes = this.text.length;
     line.ask({ kind: 'record', on: true });
+    line.leaving = (): void => this.end();
     this.awake.want(true);
   }
 
@@ -52,6 +54,7 @@ class Recorder {
       return;
     }
     this.line = undefined;
+    line.leaving = (): void => undefined;
     this.awake.want(false);
     const parts = [...this.parts, this.text];
     this.parts = [];
@@ -60,7 +63,7 @@ class Recorder {
   }
 }
 
-export function keepRoom(choice: Choice<Source>, line: LineRoom) {
+export function keepRoom(choice: Choice<Source>, line: LineRoom): Room {
   const recorder = new Recorder();
 
   function draw(): void {
@@ -79,12 +82,7 @@ export function keepRoom(choice: Choice<Source>, line: LineRoom) {
   });
   addEventListener('beforeunload', (event) => recorder.on && event.preventDefault());
   byId('csv').addEventListener('click', () => saveCsv(line.history, line.newest?.channels.length ?? 16, line.newest?.kind === Kind.Row));
-  return {
-    // Saves what was recorded.
-    endRecording: () => recorder.end(),
-    views: { 'The recorder': draw },
-    leave: () => recorder.end(),
-  };
+  return { views: { 'The recorder': draw }, leave: () => recorder.end() };
 }
 
 // Saves all that the history holds, of which the file's name has begin and end, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.

@@ -12,11 +12,13 @@ import type { Sink } from '../source/remote';
 import type { Source } from '../source/Source';
 import { Units } from '../unit';
 import { Bars } from '../view/bars';
+import { CalibrationView } from '../view/calibration';
 import { CountersView } from '../view/counters';
 import { Curves } from '../view/curves';
 import { FramesView } from '../view/frames';
 import { LinkView } from '../view/link';
 import { LossesView } from '../view/losses';
+import { Names } from '../view/names';
 import { SticksView } from '../view/sticks';
 import { TelemetryView } from '../view/telemetry';
 import { TriggerView } from '../view/trigger';
@@ -27,29 +29,36 @@ export type LineRoom = ReturnType<typeof lineRoom>;
 
 const isTrusted = ({ status: { state } }: Shown): boolean => state === LinkState.Ok || state === LinkState.Lossy;
 
-// `visit`: goes to a time of a recording, in us. `seeking`: called before another place of a recording is sought.
-export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number) => void, seeking: () => void) {
+export function lineRoom(core: Core, choice: Choice<Source>) {
   let newest: Stretch | undefined; // frame or row
+  const playing = (): RecordingSource | undefined => (choice.current instanceof RecordingSource ? choice.current : undefined);
   const history = new History();
   const channels = new Set([0, 1, 2, 3]); // that have a curve
   const units = new Units(byId<HTMLSelectElement>('unit'));
   const sensors = new Sensors(core.sensors);
-  const curves = new Curves(history, channels, sensors, visit);
+  const names = new Names();
+  const curves = new Curves(history, channels, names, sensors, (us) => playing()?.visit(us));
   const frames = new FramesView(core);
-  const trigger = new TriggerView(core, curves, frames, () => newest, seeking);
+  const trigger = new TriggerView(core, curves, frames, () => newest);
   const telemetry = new TelemetryView(sensors, sense);
   const verdict = new VerdictView();
   const link = new LinkView();
-  const bars = new Bars(core, channels, () => choice.current?.line);
+  const bars = new Bars(core, channels, names, () => choice.current?.line);
   const sticks = new SticksView(core);
+  const calibration = new CalibrationView(core);
   const counters = new CountersView();
   const losses = new LossesView(history);
   byId('reset-marks').addEventListener('click', () => choice.current?.line.ask({ kind: 'resetMarks' }));
 
   const views: Room['views'] = {
-    'The view of the verdict': ({ source, status }) => verdict.draw(verdictOf(core, source, status, newest), source.line.picture.live?.note ?? ''),
-    'The view of the link': ({ status }) => link.draw(status, newest),
+    'The view of the verdict': ({ source, status }) => {
+      const found = verdictOf(core, source, status, newest);
+      const { flight, file } = source.line;
+      verdict.draw(found, source, playing()?.positionUs);
+      link.draw(status, newest, found.severity === 'warning' || found.severity === 'alarm', flight?.frames, file.hasTimes);
+    },
     'The view of the channels': (shown) => bars.draw(newest, shown.unit, isTrusted(shown)),
+    'The calibration': () => calibration.draw(newest),
     'The view of the sticks': (shown) => sticks.draw(newest, shown.unit, isTrusted(shown)),
     'The view of the counters': ({ source }) => counters.draw(source.line.picture),
     'The view of the telemetry': ({ source }) => telemetry.draw(source.line.picture.telemetry),
@@ -92,12 +101,9 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
 
   // Reads the line's telemetry by the sensors that are chosen; a recording from its beginning on.
   function sense(): void {
-    const { current } = choice;
-    const recording = current instanceof RecordingSource ? current : undefined;
-    if (recording) {
-      seeking();
-    }
-    current?.line.ask({ kind: 'sensors', sensors: sensors.bytes });
+    const recording = playing();
+    recording?.line.leaving();
+    choice.current?.line.ask({ kind: 'sensors', sensors: sensors.bytes });
     recording?.seek(recording.positionUs);
   }
 
@@ -117,7 +123,7 @@ export function lineRoom(core: Core, choice: Choice<Source>, visit: (us: number)
     },
     leave: forget,
     enter(source: Source): void {
-      curves.enter(source.line.file.carrier ? source.line.file.lengthUs : 0); // a capture of an oscilloscope may be 20 ms
+      curves.enter(source.line.file.lengthUs);
       trigger.enter(source);
       telemetry.enter();
       if (sensors.any) {

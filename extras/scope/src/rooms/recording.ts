@@ -1,5 +1,6 @@
 // A file that is played: chosen, dropped, or another signal of the same capture; its time line and its wire.
 
+import { Kind } from '../border';
 import type { Core } from '../core';
 import { byId } from '../dom';
 import type { Problem } from '../messages';
@@ -12,9 +13,8 @@ import { WireView } from '../view/wire';
 import type { LineRoom } from './line';
 import type { Room } from './Room';
 
-// `seeking`: called before another place is sought. `visit` of what it returns goes to a time, in us, and stops there.
-export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: LineRoom, seeking: () => void, notice: NoticeView): Room & { visit(us: number): void } {
-  const timeline = new Timeline(seeking);
+export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: LineRoom, notice: NoticeView): Room {
+  const timeline = new Timeline();
   const wire = new WireView();
   const signal = byId<HTMLSelectElement>('wire-signal');
   const playing = (): RecordingSource | undefined => (choice.current instanceof RecordingSource ? choice.current : undefined);
@@ -22,12 +22,10 @@ export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: Li
   async function play(file: File, ofCapture?: string, before?: RecordingSource): Promise<void> {
     notice.hide();
     try {
-      const read = (part: number): void => void (choice.doing = `reading ${file.name}: ${Math.floor(100 * part)} %`);
-      await choice.change((abort) => RecordingSource.read(core, file, abort, read, ofCapture, before));
+      await choice.change((abort, tell) =>
+        RecordingSource.read(core, file, abort, (part) => tell(`reading ${file.name}: ${Math.floor(100 * part)} %`), ofCapture, before));
     } catch (error) {
       notice.show(unreadable(error));
-    } finally {
-      choice.doing = '';
     }
   }
 
@@ -47,7 +45,7 @@ export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: Li
   });
   return {
     views: {
-      'The view of the wire': () => wire.draw(),
+      'The view of the wire': ({ newest }) => wire.draw(newest?.kind === Kind.Row ? undefined : newest),
       'The time line': () => timeline.draw(...curves.shownUs),
     },
     enter: () => {
@@ -55,7 +53,6 @@ export function recordingRoom(core: Core, choice: Choice<Source>, { curves }: Li
       timeline.show(playing());
     },
     repaint: () => wire.repaint(),
-    visit: (us) => timeline.visit(us),
   };
 }
 
@@ -74,11 +71,13 @@ function onDrop(take: (file: File) => Promise<void>, notice: NoticeView): void {
     curtain.hidden = true;
     const [item] = event.dataTransfer?.items ?? [];
     const [file, other] = event.dataTransfer?.files ?? [];
+    const entry = item?.webkitGetAsEntry?.();
     if (file) {
       event.preventDefault();
     }
-    if (item?.webkitGetAsEntry?.()?.isDirectory) {
-      notice.show({ text: `${file.name} is a folder.`, remedy: 'Drop a recording or a capture that is in it.' });
+    if (entry?.isDirectory) {
+      void only(entry as FileSystemDirectoryEntry).then((found) =>
+        found ? take(found) : notice.show({ text: `${file.name} is a folder.`, remedy: 'Drop one of the files that are in it.' }));
     } else if (file) {
       void take(file);
       if (other) {
@@ -88,9 +87,20 @@ function onDrop(take: (file: File) => Promise<void>, notice: NoticeView): void {
   });
 }
 
-// Returns what is wrong with a file, from what its reader throws.
-const unreadable = (error: unknown): Problem =>
-  !(error instanceof Error) ? (error as Problem) : {
-    text: `This cannot be played: ${error.message}.`,
-    remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
-  };
+// Returns the only file in a folder. Those that the system hides do not count.
+async function only(folder: FileSystemDirectoryEntry): Promise<File | undefined> {
+  const entries = await new Promise<FileSystemEntry[]>((resolve) => folder.createReader().readEntries(resolve, () => resolve([])));
+  const [entry, ...others] = entries.filter(({ name }) => !name.startsWith('.'));
+  return entry?.isFile && others.length === 0 ? new Promise((resolve) => (entry as FileSystemFileEntry).file(resolve, () => resolve(undefined))) : undefined;
+}
+
+// Returns what is wrong with a file, from what its reader throws: "NAME: line 3: ...", "NAME:3: ..." or "NAME: is empty".
+function unreadable(error: unknown): Problem {
+  if (!(error instanceof Error)) {
+    return error as Problem;
+  }
+  const text = error.message.replace(/^(.*?):(?: line )?(\d+): /, 'In line $2 of $1, ').replace(/^([^:]*): (is|has|ends|cannot) /, '$1 $2 ').replace(/; sbus decode [^;]*$/, '');
+  return { text: text.replace(/[^?.]$/, '$&.'), remedy: /^[^:]* is (a picture|no)/.test(text) ? forms : '' };
+}
+
+const forms = 'The page plays recordings (a time in microseconds, then bytes in hexadecimal: 120 0F E5 03), bytes as text, JSON lines, CSV, and captures of the wire: VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope.';

@@ -28,6 +28,9 @@ export interface Source {
   // The fault at its position, if it went there.
   readonly found?: Found;
 
+  // True for the built-in receiver.
+  readonly isSimulated?: boolean;
+
   // True if rows of numbers are expected, not S.Bus.
   readonly isBoard?: boolean;
 

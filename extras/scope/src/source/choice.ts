@@ -10,9 +10,8 @@ interface Chosen {
 
 export class Choice<Source extends Chosen> {
   current?: Source;
-  doing = ''; // what is done until the next source is ready
-  private asking?: AbortController;
-  private preparing?: AbortController;
+  private asking?: symbol;
+  private preparing?: { abort: AbortController; doing: string };
 
   // `leaving`: called before the running source is closed. `entered`: called with each new one.
   constructor(
@@ -20,14 +19,19 @@ export class Choice<Source extends Chosen> {
     private readonly entered: (source: Source) => void,
   ) {}
 
+  // What is done until the next source is ready, or ''.
+  get doing(): string {
+    return this.preparing?.doing ?? '';
+  }
+
   get state(): State {
     return this.asking || this.preparing ? 'choosing' : (this.current?.state ?? 'closed');
   }
 
-  // Asks the user by a dialog of the browser. Throws what `question` throws; returns undefined instead if a later question has
-  // replaced this one.
+  // Asks the user by a dialog of the browser. Throws what `question` throws; returns undefined instead if a later question or source
+  // has replaced this one: a dialog may stay without an answer.
   async ask<Answer>(question: () => Promise<Answer>): Promise<Answer | undefined> {
-    const asking = (this.asking = new AbortController());
+    const asking = (this.asking = Symbol());
     try {
       return await question();
     } catch (error) {
@@ -40,13 +44,16 @@ export class Choice<Source extends Chosen> {
     }
   }
 
-  // Changes to another source. `prepare` does what takes time, and may throw; `signal` aborts when a later source is chosen. The
-  // function that it returns makes the source, once the running one is closed.
-  async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<void> {
-    this.preparing?.abort();
-    const { signal } = (this.preparing = new AbortController());
+  // Changes to another source. `prepare` does what takes time, may throw, and tells what it is doing; `signal` aborts when a later
+  // source is chosen. The function that it returns makes the source, once the running one is closed.
+  async change(prepare: (signal: AbortSignal, tell: (doing: string) => void) => Promise<() => Source>): Promise<void> {
+    this.preparing?.abort.abort();
+    const mine = { abort: new AbortController(), doing: '' };
+    const { signal } = mine.abort;
+    this.preparing = mine;
+    this.asking = undefined;
     try {
-      const make = await prepare(signal);
+      const make = await prepare(signal, (doing) => void (mine.doing = doing));
       if (!signal.aborted) {
         this.replace(make);
       }
@@ -55,7 +62,7 @@ export class Choice<Source extends Chosen> {
         throw error;
       }
     } finally {
-      this.preparing = signal === this.preparing?.signal ? undefined : this.preparing;
+      this.preparing = mine === this.preparing ? undefined : this.preparing;
     }
   }
 

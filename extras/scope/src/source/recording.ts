@@ -1,5 +1,6 @@
 // A recording, rows of CSV or a capture of the wire, with a time line.
 
+import { EndUs } from '../border';
 import type { Core } from '../core';
 import type { Fault, Found } from '../messages';
 import { Remote } from './remote';
@@ -27,7 +28,7 @@ export class RecordingSource implements Source {
     const line = await Remote.read(core, file, wire, signal, progress);
     const { startUs, carrier, note } = line.file;
     const began = startUs === undefined ? '' : `of ${new Date(startUs / 1000).toLocaleString()}`;
-    const words = carrier ? [`Capture ${file.name}`, carrier] : [`Recording ${file.name}`, began, note];
+    const words = carrier ? [`Capture ${file.name}`, carrier, note] : [`Recording ${file.name}`, began, note];
     return () => new RecordingSource(line, words.filter(Boolean).join(', '), file, before?.signals ?? line.file.signals ?? []);
   }
 
@@ -71,9 +72,15 @@ export class RecordingSource implements Source {
     this.line.seek(this.us);
   }
 
+  // Goes to a position and stops there.
+  visit(us: number): void {
+    this.seek(us);
+    this.playing = false;
+  }
+
   // Goes to the next fault, or the one before, and stops there. `only`: of that kind.
   seekFault(back: boolean, only?: Fault): void {
-    this.line.look({ kind: 'fault', us: this.us, at: this.found, only, back }, ({ us, found }) => {
+    this.line.look({ kind: 'fault', us: this.us || -1, at: this.found, only, back }, ({ us, found }) => {
       this.us = us;
       this.playing = false;
       this.found = found ?? this.found;
@@ -101,8 +108,8 @@ export class RecordingSource implements Source {
     this.isLast = false;
   }
 
-  // A moment after the last character: then it is known to be the last.
-  private get endUs(): number {
-    return this.lengthUs + 1000;
+  // The last position: after the silence that shows that the last frame is whole.
+  get endUs(): number {
+    return this.lengthUs + EndUs;
   }
 }

@@ -44,9 +44,10 @@ export class Remote {
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
-  envelope?: Envelope; // of a long one
+  envelope?: Envelope; // likewise
   wire?: Wire; // the part that was asked for last
   failure?: Problem;
+  leaving = (): void => undefined; // called before another place of a recording is sought
   private id = 0; // of the newest request
   private answered = 0;
   private sought = 0; // the newest request that was a seek
@@ -125,6 +126,7 @@ export class Remote {
   }
 
   seek(us: number): void {
+    this.leaving();
     this.wantedUs = us;
     this.sought = ++this.id;
     this.ask({ kind: 'seek', id: this.id, us });
@@ -132,6 +134,7 @@ export class Remote {
 
   // Goes to a fault or an event. Calls `tell` with the picture there; not at all if the page seeks another position first.
   look(request: Looked, tell: (picture: Picture) => void): void {
+    this.leaving();
     this.looking = { id: ++this.id, tell };
     this.ask({ ...request, id: this.id });
   }

@@ -9,6 +9,7 @@ const longestStepMs = 250; // a page in the background stands still: the time th
 
 export class SimulatedSource implements Source {
   readonly state = 'open';
+  readonly isSimulated = true;
   private us = 0;
   private lastMs = performance.now();
 

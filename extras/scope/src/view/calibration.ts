@@ -1,8 +1,10 @@
 // The range behind µs and %: FrSky's, Futaba's, or that of the radio that was calibrated here, which the browser stores. Guides the
 // user through a calibration: sbus/Calibrator decides, this only asks and shows.
 
+import { Kind } from '../border';
 import { CalibrationError, type Core, Scale } from '../core';
 import { Announcer, byId, setText } from '../dom';
+import type { Stretch } from '../native';
 import { keep, recall } from '../storage';
 
 const key = 'calibration'; // its value: when, and the bytes in hexadecimal
@@ -34,7 +36,8 @@ export class CalibrationView {
     byId('calibration-cancel').addEventListener('click', () => this.go(0));
   }
 
-  draw(): void {
+  draw(newest?: Stretch): void {
+    this.scale.draw(newest);
     this.announcer.say(this.text.textContent ?? '');
     const now = performance.now();
     if (this.step === 0 || now - this.textAt < 500) {
@@ -70,14 +73,42 @@ export class CalibrationView {
   }
 }
 
+const neutral = { [Scale.FrSky]: 992, [Scale.Futaba]: 1024 };
+const enough = 4; // channels at neutral
+const makes = ["FrSky's", "a Futaba's"];
+
+// Returns the scale that a frame tells: only Futaba's lines have other end bytes than 00 or frames with header 2F, only FrSky's 24 channels.
+function scaleOf({ kind, bytes, channels }: Stretch): Scale.FrSky | Scale.Futaba | undefined {
+  const [frsky, futaba] = [Scale.FrSky, Scale.Futaba].map((scale) => channels.filter((raw) => raw === neutral[scale as 0 | 1]).length);
+  if (kind === Kind.Extra || (kind === Kind.Frame && (bytes.at(-1) !== 0 || (futaba >= enough && frsky === 0)))) {
+    return Scale.Futaba;
+  }
+  return kind === Kind.Frame24 || (kind === Kind.Frame && frsky >= enough && futaba === 0) ? Scale.FrSky : undefined;
+}
+
 class ScaleView {
+  private told?: Scale.FrSky | Scale.Futaba; // by the line
   private readonly select = byId<HTMLSelectElement>('scale');
   private readonly note = byId('calibrated');
+  private readonly hint = byId('scale-hint');
+  private readonly other = byId('scale-use');
 
   constructor(private readonly core: Core) {
     this.select.addEventListener('change', () => this.use(Number(this.select.value)));
     byId('calibration-drop').addEventListener('click', () => this.drop());
+    this.other.addEventListener('click', () => this.use(this.told ?? Scale.FrSky));
     this.restore();
+  }
+
+  // Suggests the scale that the line tells.
+  draw(newest?: Stretch): void {
+    this.told = newest && (scaleOf(newest) ?? this.told);
+    const other = this.told === Number(this.select.value) || Number(this.select.value) === Scale.Calibrated ? undefined : this.told;
+    this.hint.hidden = other === undefined;
+    if (other !== undefined) {
+      setText(byId('scale-hint-text'), `The line looks like ${makes[other]}: neutral is ${neutral[other]}.`);
+      setText(this.other, `Use ${makes[other].replace('a ', '')} range`);
+    }
   }
 
   // Stores the new calibration and uses it.

@@ -1,4 +1,4 @@
-// The counters, by cause. Those at 0 are pale.
+// The counters, by cause. Those at 0 are not shown.
 
 import type { Status } from '../border';
 import { byId, make, setText } from '../dom';
@@ -20,8 +20,6 @@ const rows: [keyof Status, string, string][] = [
   ['rows', 'rows', 'rows of numbers that a board printed'],
   ['otherLines', 'other lines', 'lines of text that a board printed'],
 ];
-
-const rare = ['extraFrames', 'rows', 'otherLines', 'lateReads']; // not shown before the first
 
 export class CountersView {
   private readonly list = byId('counters');
@@ -60,7 +58,6 @@ export class CountersView {
     const value = this.values.get(key) as HTMLElement;
     setText(value, count.toLocaleString('en').replaceAll(',', '\u202f'));
     const row = value.parentElement as HTMLElement;
-    row.classList.toggle('zero', count === 0);
-    row.hidden = count === 0 && (rare.includes(key) || key.startsWith('port '));
+    row.hidden = count === 0 && key !== 'frames';
   }
 }

@@ -44,7 +44,8 @@ export class Cursors {
       return;
     }
     const from = this.history.end > 0 ? Math.max(this.view.begin, this.history.time(this.history.begin)) : this.view.begin;
-    this.times = begun.map((part) => this.snapped(from + part * (this.view.edge - from)));
+    const to = Math.min(this.view.edge, this.history.end > 0 ? this.history.time(this.history.end - 1) : Infinity);
+    this.times = begun.map((part) => this.snapped(from + part * (to - from)));
     this.tell();
     this.draw();
     this.handles[0].focus();

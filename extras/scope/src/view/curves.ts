@@ -10,10 +10,11 @@ import type { Stretch } from '../native';
 import { fit, type Sensors } from '../sensors';
 import type { Unit } from '../unit';
 import { Cursors, CursorTable } from './cursors';
-import { Gestures, wheelKey } from './gestures';
+import { doubleClick, Gestures, howTo } from './gestures';
+import type { Names } from './names';
 import { paletteOf, type Palette } from './palette';
 import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, within } from './plot';
-import { type Area, type Curve, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
+import { AheadStrokes, type Area, type Curve, EnvelopeStrokes, SampleStrokes, type Strokes } from './strokes';
 import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
@@ -32,9 +33,10 @@ export class Curves {
   private readonly view = new Viewport();
   private drawn = { edge: NaN, seconds: 0, begin: 0, end: 0, nowUs: 0, atMs: 0 };
   private readonly samples: SampleStrokes;
-  private whole?: { envelope: Envelope; strokes: EnvelopeStrokes };
+  private whole?: { envelope: Envelope; strokes: EnvelopeStrokes; ahead: AheadStrokes };
   private strokes: Strokes;
   private nowUs = 0;
+  private oldestS = 0;
   private movedMs = Infinity; // when the user has looked elsewhere
   private unit?: Unit;
   private curves: Curve[] = [];
@@ -47,6 +49,7 @@ export class Curves {
   constructor(
     private readonly history: History,
     private readonly channels: ReadonlySet<number>, // that have a curve
+    private readonly names: Names,
     private readonly sensors: Sensors,
     private readonly visit: (us: number) => void, // goes to a place of a recording
   ) {
@@ -102,10 +105,11 @@ export class Curves {
     this.move((view) => view.step(steps));
   }
 
-  // Another line: removes the cursors and ends a pause. `lengthUs`: see Viewport.
+  // Another line: shows its beginning, without cursors and pause. `lengthUs`: of a recording; 0 of a live line.
   enter(lengthUs: number): void {
     this.cursors.clear();
-    this.pause(false);
+    this.movedMs = Infinity;
+    this.whole = undefined;
     this.look((view) => view.enter(lengthUs / 1e6));
   }
 
@@ -117,16 +121,19 @@ export class Curves {
   // `intervalUs`: the mean interval of frames or rows. `envelope`: of a whole recording.
   draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number, envelope: Envelope | undefined): void {
     if (envelope !== this.whole?.envelope) {
-      this.whole = envelope && { envelope, strokes: new EnvelopeStrokes(envelope) };
+      const strokes = envelope && new EnvelopeStrokes(envelope);
+      this.whole = envelope && strokes && { envelope, strokes, ahead: new AheadStrokes(this.samples, strokes) };
+      this.drawn.edge = NaN;
     }
-    this.nowUs = nowUs;
-    this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0, this.whole?.strokes.seconds);
+    this.nowUs = Math.min(nowUs, 1e6 * this.view.stoodS);
+    this.oldestS = this.history.end > 0 ? this.history.time(this.history.begin) : 0;
+    this.view.follow(nowUs / 1e6, this.oldestS, this.whole?.strokes.seconds);
     this.choose();
     this.intervalUs = intervalUs;
     this.rows = newest !== undefined && newest.bytes.length === 0;
     const count = newest?.channels.length || 16;
-    const channels = [...this.channels].filter((channel) => channel < count).sort((a, b) => a - b);
-    this.curves = [...channels.map((column) => ({ column, name: `CH${column + 1}`, unit })), ...this.sensors.drawn()];
+    const channels = [...this.channels].filter((channel) => channel < count && !this.names.isHidden(channel)).sort((a, b) => a - b);
+    this.curves = [...channels.map((column) => ({ column, name: this.names.of(column), unit })), ...this.sensors.drawn()];
     const shown = `${this.curves.map((curve) => `${curve.column} ${curve.unit.axis}`)} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
@@ -146,14 +153,18 @@ export class Curves {
   // Chooses what is drawn. Where no samples are kept, the recording goes there as soon as the user rests.
   private choose(): void {
     const { view, whole } = this;
-    const strokes = whole && (view.isWide || view.isAway) ? whole.strokes : this.samples;
+    const strokes = !whole ? this.samples : view.isWide || view.edge < this.oldestS ? whole.strokes : view.isAhead ? whole.ahead : this.samples;
+    if (whole) {
+      whole.strokes.fromS = 0;
+      whole.ahead.nowS = this.nowUs / 1e6;
+    }
     if (strokes !== this.strokes) {
       this.strokes = strokes;
       this.drawn.edge = NaN;
     }
     if (performance.now() - this.movedMs > awayMs) {
       this.movedMs = Infinity;
-      if (view.isAway && !view.isWide) {
+      if (view.isAway && !view.isWide && !whole?.strokes.isFine) {
         this.visit(1e6 * view.edge);
       }
     }
@@ -173,17 +184,17 @@ export class Curves {
   private told(): void {
     this.button.setAttribute('aria-pressed', String(this.paused));
     setText(this.button, this.paused ? 'Continue' : 'Pause');
-    setText(byId('window'), widthText(this.view.seconds));
+    setText(byId('window'), widthText(this.view.seconds)); // only look() changes it
   }
 
   // Returns true if the curves have moved by a pixel: a minute and more is drawn a few times a second.
   private hasMoved(): boolean {
     const { history, drawn } = this;
     const { edge, seconds } = this.view;
-    const { begin, end } = history.around(edge - seconds, edge);
+    const { begin, end } = history.around(edge - seconds, Math.min(edge, this.view.stoodS));
     const nowMs = performance.now();
     const pixels = (Math.abs(edge - drawn.edge) / seconds) * (this.plot as uPlot).bbox.width;
-    const marks = this.strokes === this.samples ? 0 : Math.abs(this.nowUs - drawn.nowUs) / seconds / 1e6; // the position moves
+    const marks = this.hasPosition ? Math.abs(this.nowUs - drawn.nowUs) / seconds / 1e6 : 0;
     const alike = seconds === drawn.seconds && pixels < 1 && marks * (this.plot as uPlot).bbox.width < 1;
     const same = edge === drawn.edge && begin === drawn.begin && end === drawn.end;
     if (alike && (same || nowMs - drawn.atMs < restMs)) {
@@ -191,6 +202,11 @@ export class Curves {
     }
     this.drawn = { edge, seconds, begin, end, nowUs: this.nowUs, atMs: nowMs };
     return true;
+  }
+
+  // True if the line's position is within the picture: it is marked.
+  private get hasPosition(): boolean {
+    return this.view.isAhead || this.strokes === this.whole?.strokes;
   }
 
   private area(plot: uPlot): Area {
@@ -203,15 +219,15 @@ export class Curves {
   }
 
   private get thickness(): number {
-    return this.curves.length > many || this.strokes !== this.samples ? 1 : 2;
+    return this.curves.length > many || this.strokes === this.whole?.strokes ? 1 : 2;
   }
 
   // Shows the values at the pointer.
   private read(): void {
     const seconds = pointedAt(this.plot);
-    const hint = this.strokes !== this.samples
+    const hint = this.strokes === this.whole?.strokes
       ? 'Each column reaches from the lowest to the highest value. Zoom into a part to go there.'
-      : `${this.paused ? 'Paused. Double-click to return to the newest data. ' : ''}Drag to scroll, ${wheelKey} and the wheel to zoom.`;
+      : `${this.paused ? `Paused. ${doubleClick} to return to the newest data. ` : ''}${howTo}`;
     setText(this.readout, (seconds !== undefined && this.strokes.textAt(this.curves, seconds)) || hint);
   }
 
@@ -276,7 +292,7 @@ export class Curves {
         ctx.fillStyle = color;
         ctx.fillRect(Math.round(plot.valToPos(seconds, 'x', true)) - 1, bbox.top, 2, bbox.height);
       });
-    if (this.strokes !== this.samples) {
+    if (this.hasPosition) {
       mark(this.nowUs / 1e6, palette.muted);
     }
     if (this.event !== undefined) {

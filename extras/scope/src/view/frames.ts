@@ -6,13 +6,14 @@ import type { Core } from '../core';
 import { byId, make, setText } from '../dom';
 import type { Stretch } from '../native';
 import { Throttle } from '../throttle';
+import { pointAt } from './gestures';
 
 const kept = 8; // pieces of the line
 const drawMs = 100;
 
 const hex = (byte: number): string => byte.toString(16).toUpperCase().padStart(2, '0');
 
-const howTo = 'Point at a bit. Bits are shown least significant first, as on the wire.';
+const howTo = `${pointAt} a bit. Bits are shown least significant first, as on the wire.`;
 
 const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'The lost-frame flag', 3: 'The failsafe flag' };
 

@@ -7,8 +7,10 @@ const doublePx = 250; // of the wheel, to show twice as much time
 const pinchPx = 50; // of two fingers on a touchpad, to show twice as much time: the browser says Ctrl and a wheel, in small steps
 const notchPx = 40; // of a wheel at least
 
-// The key for the wheel.
-export const wheelKey = /^Mac/.test(navigator.platform) ? '⌘' : 'Ctrl';
+const key = /^Mac/.test(navigator.platform) ? '⌘' : 'Ctrl'; // for the wheel
+const byFingers = matchMedia('(pointer: coarse)').matches;
+export const howTo = byFingers ? 'One finger scrolls, two zoom.' : `Drag to scroll, ${key} and the wheel to zoom.`;
+export const [doubleClick, pointAt] = byFingers ? ['Tap twice', 'Touch'] : ['Double-click', 'Point at'];
 
 interface Gestured {
   // Returns the curves' place on the screen, without their axes.

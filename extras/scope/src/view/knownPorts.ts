@@ -5,7 +5,7 @@ import { make, setAttribute } from '../dom';
 import { deviceName, idsOf, isLikelyAdapter, type PortKind } from '../source/device';
 import { keep, recall } from '../storage';
 
-const keyOf = (port: SerialPort): string => `port-${idsOf(port.getInfo())}`;
+const keyOf = (port: SerialPort): `port-${string}` => `port-${idsOf(port.getInfo())}`;
 
 export class KnownPorts {
   private readonly buttons = new Map<SerialPort, HTMLButtonElement>();

@@ -80,10 +80,12 @@ export class LinkView {
     }
   }
 
-  draw(status: Status, newest: Stretch | undefined): void {
+  // `hasFault`: the verdict names one. `frames`: of the whole recording; `hasTimes`: see Tape.
+  draw(status: Status, newest: Stretch | undefined, hasFault: boolean, frames?: number, hasTimes = true): void {
     const state = status.state as LinkState;
-    setText(this.state, states[state][0]);
-    setAttribute(this.stateTile, 'data-severity', states[state][1]);
+    const [name, severity] = state === LinkState.Ok && hasFault ? ['Frames come', 'note'] : states[state];
+    setText(this.state, name);
+    setAttribute(this.stateTile, 'data-severity', severity);
     this.indicators.forEach((indicator, flag) => {
       const flags = newest?.flags ?? 0;
       const on = flag === Flag.LostFrame ? status.showsLostFrame > 0 : flag === Flag.Failsafe ? status.showsFailsafe > 0 : (flags & flag) !== 0;
@@ -94,12 +96,13 @@ export class LinkView {
     if (!this.text.due) {
       return;
     }
-    this.tiles.forEach((label, i) => setText(label, labels[Number(status.rows > 0)][i]));
-    setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
+    const age = status.state === LinkState.NeverSeen || !hasTimes ? '' : ageText(status.ageUs);
+    setText(this.age, frames ? `${status.frames} of ${frames}` : age || '–');
+    this.tiles.forEach((label, i) => setText(label, i === 0 && frames ? `Frame${age && `, ${age} ago`}` : labels[Number(status.rows > 0)][i]));
     setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
-    setText(this.rate, String(status.framesPerSecond));
+    setText(this.rate, hasTimes ? String(status.framesPerSecond) : '–');
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
-    const hasGaps = status.gapMeanUs > 0;
+    const hasGaps = status.gapMeanUs > 0 && hasTimes;
     setText(this.gap, hasGaps ? `${ms(status.gapMeanUs)} ms` : '–');
     setText(this.gapEnds, hasGaps ? `${ms(status.gapMinUs)} to ${ms(status.gapMaxUs)}` : '');
   }

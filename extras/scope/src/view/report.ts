@@ -2,11 +2,10 @@
 
 import { FlightKind } from '../border';
 import { clock } from '../clock';
-import { byId, make, setAttribute, setText } from '../dom';
+import { byId, make, setText } from '../dom';
 import { Fault, faultNames, type Flight, type FlightPart } from '../messages';
 import type { RecordingSource } from '../source/recording';
 
-const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
 const kinds = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];
 const nameOf = (kind: FlightKind): string => faultNames[Fault[FlightKind[kind] as keyof typeof Fault]];
 const shownUs = 2000; // after a frame it is seen
@@ -37,14 +36,16 @@ export class ReportView {
   }
 
   private show(flight: Flight): void {
-    setAttribute(byId('report-verdict'), 'data-severity', severities[flight.severity]);
-    setText(byId('report-text'), flight.text);
+    const { hasTimes } = (this.source as RecordingSource).line.file;
+    const [length, rate, missing] = hasTimes
+      ? [`${seconds(flight.toUs - flight.fromUs)} long: `, `, ${flight.framesPerSecond.toFixed(1)} a second`, `, ${flight.missing} missing`]
+      : ['Times are not known: ', '', ''];
     setText(
       byId('report-facts'),
-      `${seconds(flight.toUs - flight.fromUs)} long: ${flight.frames} frames, ${flight.framesPerSecond.toFixed(1)} a second; ` +
-        `${flight.lostFrames} with the lost-frame flag, ${flight.missing} missing, ${flight.failsafeFrames} in failsafe; ` +
+      `${length}${flight.frames} frames${rate}; ${flight.lostFrames} with the lost-frame flag${missing}, ${flight.failsafeFrames} in failsafe; ` +
         `${flight.discardedBytes} discarded bytes, ${flight.characterErrors} character errors.`,
     );
+    byId('report-open').hidden = this.lists.hidden = !hasTimes;
     const { worst, spans } = flight;
     const other = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames].some((kind) => spans[kind].count > 0) ? 'other ' : '';
     this.lists.replaceChildren(

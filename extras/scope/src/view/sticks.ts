@@ -63,7 +63,7 @@ export class SticksView {
       if (text) {
         [x, y].forEach((value, i) => {
           const line = (shown.children[i] ?? shown.appendChild(make('span'))) as HTMLElement;
-          setText(line, `${names[axes[i]]} ${value === undefined ? '–' : `${value.toFixed(0)} %`}`);
+          setText(line, `${names[axes[i]]} ${value === undefined ? '–' : `${Math.round(value) + 0} %`}`);
         });
       }
     });

@@ -125,14 +125,52 @@ export class SampleStrokes implements Strokes {
   }
 }
 
+// A recording's samples up to its position, then its envelope.
+export class AheadStrokes implements Strokes {
+  nowS = 0; // the position
+
+  constructor(
+    private readonly samples: SampleStrokes,
+    private readonly envelope: EnvelopeStrokes,
+  ) {}
+
+  private get both(): Strokes[] {
+    this.envelope.fromS = this.nowS;
+    return [this.samples, this.envelope];
+  }
+
+  trace(...those: Parameters<Strokes['trace']>): void {
+    this.both.forEach((strokes) => strokes.trace(...those));
+  }
+
+  bands(...those: Parameters<Strokes['bands']>): void {
+    this.both.forEach((strokes) => strokes.bands(...those));
+  }
+
+  ends(...those: Parameters<Strokes['ends']>): [number, number] {
+    const [[low, high], [least, greatest]] = this.both.map((strokes) => strokes.ends(...those));
+    return [Math.min(low, least), Math.max(high, greatest)];
+  }
+
+  textAt(curves: readonly Curve[], seconds: number): string {
+    return this.both[Number(seconds > this.nowS)].textAt(curves, seconds);
+  }
+}
+
 // Each pixel's column has a stroke from the least to the greatest value.
 export class EnvelopeStrokes implements Strokes {
+  fromS = 0; // it draws what comes from then on
   private readonly count: number; // parts
   private readonly partS: number;
 
   constructor(private readonly envelope: Envelope) {
     this.count = envelope.flags.length;
     this.partS = envelope.partUs / 1e6;
+  }
+
+  // True if a part holds hardly more than a frame: there is no more to be seen.
+  get isFine(): boolean {
+    return this.partS < 0.01;
   }
 
   // Its length, in s.
@@ -178,10 +216,15 @@ export class EnvelopeStrokes implements Strokes {
     const { flags } = this.envelope;
     const place = (part: number): number => area.left + ((part * this.partS - area.edge) / area.seconds + 1) * area.width;
     const [from, to] = this.within(area);
-    for (let part = from; part < to; part++) {
-      const has = flags[part] & (Flag.Failsafe | Flag.LostFrame);
-      if (has) {
-        paint(place(part), Math.max(place(part + 1) - place(part), 2), (has & Flag.Failsafe) !== 0);
+    let [begin, had] = [from, 0]; // parts with the same flags are one stretch
+    for (let part = from; part <= to; part++) {
+      const [least, greatest] = part < to ? this.endsOf(0, part) : [0, 0];
+      const has = part < to ? flags[part] & (Flag.Failsafe | Flag.LostFrame) : 0;
+      if (least <= greatest && has !== had) {
+        if (had) {
+          paint(place(begin), Math.max(place(part) - place(begin), 2), (had & Flag.Failsafe) !== 0);
+        }
+        [begin, had] = [part, has];
       }
     }
   }
@@ -198,7 +241,7 @@ export class EnvelopeStrokes implements Strokes {
   }
 
   textAt(curves: readonly Curve[], seconds: number): string {
-    const part = Math.floor(seconds / this.partS);
+    const part = this.nearest(Math.floor(seconds / this.partS), curves[0]?.column ?? 0);
     if (part < 0 || part >= this.count) {
       return '';
     }
@@ -206,11 +249,23 @@ export class EnvelopeStrokes implements Strokes {
       const [low, high] = this.endsOf(curve.column, part);
       return `${curve.name} ${textOf(curve, low)}${low < high ? ` to ${textOf(curve, high)}` : ''}`;
     });
-    return [`${clock(1e6 * part * this.partS, 1)} to ${clock(1e6 * (part + 1) * this.partS, 1)}`, ...values].join('   ');
+    const time = this.isFine ? `${shownSeconds(seconds).toFixed(3)} s` : `${clock(1e6 * part * this.partS, 1)} to ${clock(1e6 * (part + 1) * this.partS, 1)}`;
+    return [time, ...values].join('   ');
+  }
+
+  // Returns the part with a value of a column that is nearest to one, less than 0.1 s away; without any that part.
+  private nearest(part: number, column: number): number {
+    for (let away = 0; away * this.partS < 0.1; away++) {
+      const found = [part - away, part + away].find((each) => each >= 0 && each < this.count && this.endsOf(column, each)[0] < Infinity);
+      if (found !== undefined) {
+        return found;
+      }
+    }
+    return part;
   }
 
   private within({ edge, seconds }: Pick<Area, 'edge' | 'seconds'>): [number, number] {
-    return [Math.max(Math.floor((edge - seconds) / this.partS), 0), Math.min(Math.ceil(edge / this.partS), this.count)];
+    return [Math.max(Math.floor((edge - seconds) / this.partS), Math.ceil(this.fromS / this.partS)), Math.min(Math.ceil(edge / this.partS), this.count)];
   }
 
   private endsOf(column: number, part: number): [number, number] {

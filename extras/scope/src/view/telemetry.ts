@@ -53,7 +53,7 @@ export class TelemetryView {
       setText(name, this.sensors.name(column));
       setText(value, now ? ` ${now.value} ${now.unit}` : ' –');
     });
-    setText(this.slots, lines[0] ?? '');
+    setText(this.slots, lines[0] === 'slot 0' ? '' : (lines[0] ?? '')); // the receiver's own says nothing
     (lines[0] ?? '').match(/\d+/g)?.forEach((slot) => this.seen.add(Number(slot)));
     this.card.hidden = lines.length === 0 && this.sensors.drawn().length === 0;
     this.offer();

@@ -15,7 +15,7 @@ export class Timeline {
   private source?: RecordingSource;
   private readonly telling = new Throttle(toldMs);
   private readonly strip = new Strip();
-  private readonly report = new ReportView((us) => this.visit(us));
+  private readonly report = new ReportView((us) => this.source?.visit(us));
   private readonly panel = byId('timeline');
   private readonly play = byId('play');
   private readonly position = byId<HTMLInputElement>('position');
@@ -23,10 +23,9 @@ export class Timeline {
   private readonly speed = byId<HTMLSelectElement>('speed');
   private readonly loop = byId<HTMLInputElement>('loop');
 
-  // `leaving`: called before another place of the recording is sought.
-  constructor(private readonly leaving: () => void) {
+  constructor() {
     this.play.addEventListener('click', () => this.toggle());
-    this.position.addEventListener('input', () => this.seek(Number(this.position.value) * 1000));
+    this.position.addEventListener('input', () => this.source?.seek(Number(this.position.value) * 1000));
     this.position.addEventListener('keydown', (event) => this.step(event));
     this.speed.addEventListener('change', () => this.apply());
     this.loop.addEventListener('change', () => this.apply());
@@ -43,7 +42,7 @@ export class Timeline {
     this.strip.filter();
     this.report.draw(source);
     if (source) {
-      this.position.max = String(Math.ceil(source.lengthUs / 1000));
+      this.position.max = String(Math.ceil(source.endUs / 1000));
       this.apply();
     }
   }
@@ -56,7 +55,7 @@ export class Timeline {
     }
     if (source.atEnd && source.playing) {
       if (source.loop) {
-        this.seek(0);
+        source.seek(0);
       } else {
         source.playing = false;
       }
@@ -81,32 +80,14 @@ export class Timeline {
     const source = this.source;
     if (source) {
       if (source.atEnd) {
-        this.seek(0);
+        source.seek(0);
       }
       source.playing = !source.playing;
     }
   }
 
-  private seek(us: number): void {
-    if (this.source) {
-      this.leaving();
-      this.source.seek(us);
-    }
-  }
-
-  // Goes there and stops.
-  visit(us: number): void {
-    this.seek(us);
-    if (this.source) {
-      this.source.playing = false;
-    }
-  }
-
   private seekFault(back: boolean): void {
-    if (this.source) {
-      this.leaving();
-      this.source.seekFault(back, this.strip.only);
-    }
+    this.source?.seekFault(back, this.strip.only);
   }
 
   // N goes to the next fault; P, or Shift and N, to the one before; but not in a list, where a letter chooses.
@@ -125,7 +106,7 @@ export class Timeline {
     if (steps !== undefined && this.source) {
       event.preventDefault();
       const { positionUs, lengthUs } = this.source;
-      this.seek(Math.max(positionUs + steps * Math.min(stepUs, lengthUs / leastSteps), 0));
+      this.source.seek(Math.max(positionUs + steps * Math.min(stepUs, lengthUs / leastSteps), 0));
     }
   }
 

@@ -31,18 +31,9 @@ export class TriggerView {
     private readonly curves: Curves,
     private readonly frames: FramesView,
     private readonly newest: () => Stretch | undefined,
-    private readonly leaving: () => void, // called before another place of a recording is sought
   ) {
-    const open = byId('trigger-open');
-    open.addEventListener('click', () => {
-      this.panel.hidden = !this.panel.hidden;
-      open.setAttribute('aria-expanded', String(!this.panel.hidden));
-      if (this.panel.hidden) {
-        this.disarm();
-      } else {
-        this.input.focus();
-      }
-    });
+    byId('trigger-open').addEventListener('click', () => this.turn(this.panel.hidden === true));
+    this.panel.addEventListener('keydown', ({ key: pressed }) => pressed === 'Escape' && this.turn(false));
     this.input.value = recall(key) ?? '';
     this.input.addEventListener('input', () => {
       this.disarm();
@@ -54,6 +45,16 @@ export class TriggerView {
     });
     this.next.addEventListener('click', () => this.seek());
     this.say(help);
+  }
+
+  private turn(isOpen: boolean): void {
+    const button = byId('trigger-open');
+    this.panel.hidden = !isOpen;
+    button.setAttribute('aria-expanded', String(isOpen));
+    if (!isOpen) {
+      this.disarm();
+    }
+    (isOpen ? this.input : button).focus();
   }
 
   enter(source: Source): void {
@@ -173,7 +174,6 @@ export class TriggerView {
       return;
     }
     this.disarm();
-    this.leaving();
     const fromUs = source.positionUs === this.atUs && this.eventUs !== undefined ? this.eventUs : source.positionUs;
     this.say('Searching for the next event.');
     source.seekEvent(fromUs, steps, this.afterUs, (us, event) => {

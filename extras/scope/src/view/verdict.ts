@@ -2,6 +2,7 @@
 
 import { Finding, Flag, LinkState, type Status } from '../border';
 import type { Core } from '../core';
+import { clock } from '../clock';
 import { Announcer, byId, setAttribute, setText } from '../dom';
 import { Fault, faultNames, type Problem } from '../messages';
 import type { Stretch } from '../native';
@@ -26,10 +27,13 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.LongPeriod]: 'warning',
 };
 
-// Of a place with a fault it never says that all is well.
+// Of a place with a fault, and of a receiver that does not exist, it never says that all is well.
 export function verdictOf(core: Core, source: Source, status: Status, newest?: Stretch): Verdict {
   const line = ofLine(core, source, status, newest);
   const { found } = source;
+  if (source.isSimulated && line.severity === 'good') {
+    return { text: 'Simulation.', remedy: 'Connect yours with Adapter…, or drop a file.', severity: 'note' };
+  }
   return found && line.severity === 'good'
     ? { text: `A fault here: ${faultNames[found.fault]}.`, remedy: `The line around it: ${line.text}`, severity: found.fault === Fault.Late ? 'note' : 'warning' }
     : line;
@@ -62,6 +66,9 @@ function ofLine(core: Core, source: Source, status: Status, newest?: Stretch): V
         : { ...of(core, Finding.NoSignal), text: 'Signal lost: frames came before, but no bytes come now.' };
     case LinkState.NeverSeen: {
       const finding = live ? live.round : findingOf(source, status);
+      if (!live && status.characters === 0) {
+        return { text: 'Nothing has come yet.', remedy: 'The line was silent up to here.', severity: 'note' };
+      }
       return finding === undefined
         ? { text: 'Listening.', remedy: 'Waiting for the first frame.', severity: 'note' }
         : of(core, finding);
@@ -77,13 +84,17 @@ function findingOf(source: Source, status: Status): Finding | undefined {
 }
 
 // Frames come: a finding about older ones must not contradict the newest.
-function ofFrames(core: Core, finding: Finding | undefined, lossy: boolean, { gapMeanUs }: Status): Verdict {
+function ofFrames(core: Core, finding: Finding | undefined, lossy: boolean, { gapMeanUs, hadFrames }: Status): Verdict {
   const isOld = finding === undefined || finding === Finding.Failsafe || finding <= Finding.NoFrames;
   if (lossy && (isOld || core.isWell(finding))) {
     return of(core, Finding.Lossy);
   }
+  if (finding === Finding.Failsafe || (isOld && hadFrames)) {
+    const before = finding === Finding.Failsafe ? 'the receiver was in failsafe' : finding === Finding.NoSignal ? 'the line was silent' : 'few frames came, or none';
+    return { text: 'Frames come again.', remedy: `A moment ago ${before}.`, severity: 'warning' };
+  }
   if (isOld) {
-    return { text: 'Receiving frames.', remedy: 'The verdict needs one second.', severity: 'good' };
+    return { text: 'Receiving frames.', remedy: 'The verdict needs one second.', severity: 'note' };
   }
   if (finding === Finding.LongPeriod) {
     const found = of(core, finding);
@@ -132,6 +143,18 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
     : { text: 'Receiving rows from a board.', remedy: 'Its sketch decodes the line.', severity: 'good' };
 }
 
+const severitiesOfFlight: Severity[] = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
+
+// Of a whole recording, once it is decoded: its flight's, or without frames its faults. Undefined before that, and of any other line.
+function ofWhole({ flight, faults: map }: Source['line']): Pick<Verdict, 'text' | 'severity'> | undefined {
+  if (flight) {
+    return { text: flight.text, severity: severitiesOfFlight[flight.severity] };
+  }
+  const counted = map?.counts.flatMap((count, fault) => (count > 0 ? `${faultNames[fault]} ${count} ${count === 1 ? 'time' : 'times'}` : [])).join(', ');
+  return map?.isComplete ? { text: counted ? `${counted[0].toUpperCase()}${counted.slice(1)}.` : 'No faults.', severity: counted ? 'alarm' : 'note' } : undefined;
+}
+
+// The verdict has two halves in a recording: of all of it, and of the place where it stands.
 export class VerdictView {
   private readonly strip = byId('verdict');
   private readonly text = byId('verdict-text');
@@ -139,7 +162,13 @@ export class VerdictView {
   private readonly note = byId('verdict-note');
   private readonly announcer = new Announcer(byId('announcement'));
 
-  draw(verdict: Verdict, note: string): void {
+  draw(verdict: Verdict, { line }: Source, recordedUs?: number): void {
+    const whole = ofWhole(line);
+    byId('whole').hidden = !whole;
+    setAttribute(byId('whole'), 'data-severity', whole?.severity ?? 'note');
+    setText(byId('whole-text'), whole?.text ?? '');
+    setText(byId('here'), recordedUs === undefined ? '' : `Here (${clock(recordedUs, 1)}): `);
+    const note = line.picture.live?.note ?? '';
     setAttribute(this.strip, 'data-severity', verdict.severity);
     setText(this.text, verdict.text);
     setText(this.remedy, verdict.remedy);

@@ -1,4 +1,5 @@
-// The part of the time that is shown: some seconds up to an edge, which follows the newest or stands still. It knows no page.
+// The part of the time that is shown: some seconds up to an edge, which follows the newest or stands still. A line begins at the left.
+// It knows no page.
 
 import { keptSeconds } from '../history';
 
@@ -10,15 +11,16 @@ export class Viewport {
   seconds = usual;
   private first = usual; // of the line
   private right?: number; // the edge while it stands still, in s
+  stoodS = Infinity; // when it was paused: what comes later is not shown, until the user scrolls
   private now = 0;
   private oldest = 0;
   private whole = 0;
 
-  // Another line. `length`, in s: it shall fit, if it is short and the user has not chosen a width; 0: any.
+  // Another line: shows its beginning. `length`, in s: of a recording; 0 of a live line.
   enter(length: number): void {
-    const first = length > 0 && length < usual ? [least, ...windows].find((seconds) => seconds >= length) ?? usual : usual;
-    this.seconds = this.seconds === this.first ? first : this.seconds;
-    this.first = first;
+    this.first = length > 0 ? Math.min(Math.max(length, least), usual) : usual;
+    this.whole = 0;
+    this.reset();
   }
 
   // Call it for each picture: the times of now and of the oldest sample, in s. `whole`: the length of a recording that can be shown from
@@ -27,11 +29,15 @@ export class Viewport {
     this.now = now;
     this.oldest = oldest;
     this.whole = whole;
-    this.seconds = Math.min(this.seconds, this.windows[this.windows.length - 1]);
   }
 
   get edge(): number {
-    return this.right ?? (this.isWide ? Math.max(this.now, Math.min(this.seconds, this.whole)) : this.now);
+    return this.right ?? Math.max(this.now, this.seconds);
+  }
+
+  // True if it shows a time that has not come yet.
+  get isAhead(): boolean {
+    return this.edge > this.now + 0.001;
   }
 
   // True if it is longer than the samples that are kept.
@@ -41,7 +47,7 @@ export class Viewport {
 
   // True if its edge is where no samples are kept.
   get isAway(): boolean {
-    return this.whole > 0 && this.right !== undefined && (this.right > this.now + 0.001 || this.right < this.oldest);
+    return this.whole > 0 && this.right !== undefined && (this.isAhead || this.right < this.oldest);
   }
 
   get begin(): number {
@@ -53,6 +59,7 @@ export class Viewport {
   }
 
   pause(on: boolean): void {
+    this.stoodS = on ? this.now : Infinity;
     this.right = on ? this.edge : undefined;
   }
 
@@ -78,7 +85,7 @@ export class Viewport {
   // Shows the newest again, as wide as at first.
   reset(): void {
     this.seconds = this.first;
-    this.right = undefined;
+    this.pause(false);
   }
 
   // Scrolls by a part of the width, and stands still then.
@@ -105,6 +112,7 @@ export class Viewport {
   }
 
   private hold(right: number): void {
+    this.stoodS = Infinity;
     const first = this.isWide ? this.seconds : (this.whole > 0 ? 0 : this.oldest) + 0.1 * this.seconds;
     this.right = Math.min(Math.max(right, first), Math.max(this.now, this.whole));
   }

@@ -1,16 +1,19 @@
 // The wire of a capture: its edges, from the whole capture down to a bit, and the names of the bits below them.
 
+import { EndUs } from '../border';
 import { secondsText, tickText } from '../clock';
 import type uPlot from 'uplot';
 import { byId, make, setText } from '../dom';
-import type { Wire } from '../messages';
+import { Fault, type Wire } from '../messages';
+import type { Stretch } from '../native';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { axisOf, keepSize, plotIn, pointedAt, scalesOf } from './plot';
 
-const usualUs = 4000; // a frame of 3 ms
+const usualUs = 3300; // a frame of 3 ms
+const margin = 0.05; // of a frame, at each side
 const leastUs = 20; // two bits of 100000 baud
 const askMs = 60;
 const step = 4; // of a button or a key
@@ -28,8 +31,9 @@ export class WireView {
   private palette?: Palette;
   private source?: RecordingSource;
   private fromUs = 0;
-  private widthUs = usualUs;
-  private positionUs = NaN; // of the recording, to which it has gone
+  private zoomedUs?: number; // the width that the user has chosen; without one, a frame has room
+  private frame?: Stretch; // the last whole one at the recording's position
+  private followed = NaN; // the end of that, or without one the position, in us
   private asked = '';
   private shown?: Wire;
   private readonly asking = new Throttle(askMs);
@@ -59,8 +63,8 @@ export class WireView {
     select.value = line?.file.signals?.[0] ?? '';
     this.shown = undefined;
     this.asked = '';
-    this.positionUs = NaN;
-    this.widthUs = usualUs;
+    this.followed = NaN;
+    this.zoomedUs = this.frame = undefined;
   }
 
   // Redraws what depends on the theme.
@@ -69,14 +73,15 @@ export class WireView {
     this.plot = undefined;
   }
 
-  // Call it for each picture.
-  draw(): void {
+  // Call it for each picture, with the newest frame.
+  draw(newest?: Stretch): void {
     const { source } = this;
     if (!source) {
       return;
     }
     this.plot ??= this.make();
-    if (source.positionUs !== this.positionUs) {
+    this.frame = newest && newest.bytes.length > 0 && source.found?.fault !== Fault.Damage ? newest : undefined;
+    if ((this.frame?.endUs ?? source.positionUs) !== this.followed) {
       this.follow();
     }
     const columns = Math.max(Math.round(this.plot.bbox.width / devicePixelRatio), 1);
@@ -95,7 +100,12 @@ export class WireView {
   }
 
   private get lengthUs(): number {
-    return (this.source?.lengthUs ?? 0) + 1000;
+    return (this.source?.lengthUs ?? 0) + EndUs;
+  }
+
+  private get widthUs(): number {
+    const { frame } = this;
+    return this.zoomedUs ?? (frame ? (1 + 2 * margin) * (frame.endUs - frame.beginUs) : usualUs);
   }
 
   private within(us: number): number {
@@ -109,7 +119,7 @@ export class WireView {
   private zoom(factor: number, part: number): void {
     const widthUs = Math.min(Math.max(factor * this.widthUs, leastUs), 1.05 * this.lengthUs);
     this.fromUs += part * (this.widthUs - widthUs);
-    this.widthUs = widthUs;
+    this.zoomedUs = widthUs;
     this.fromUs = this.within(this.fromUs);
   }
 
@@ -118,14 +128,20 @@ export class WireView {
   }
 
   private reset(): void {
-    this.widthUs = usualUs;
+    this.zoomedUs = undefined;
     this.follow();
   }
 
-  // Goes to where the recording is.
+  // Goes to the last whole frame, with its end at the right, or with its beginning at the left if there is no room for all of it.
   private follow(): void {
-    this.positionUs = this.source?.positionUs ?? 0;
-    this.fromUs = this.within(this.positionUs - this.widthUs);
+    const { frame, widthUs } = this;
+    this.followed = frame?.endUs ?? this.source?.positionUs ?? 0;
+    const { beginUs, endUs } = frame ?? { beginUs: -Infinity, endUs: this.followed };
+    const marginUs = frame ? margin * (endUs - beginUs) : 0;
+    this.fromUs = this.within(Math.max(beginUs - marginUs, endUs + marginUs - widthUs) || 0);
+    if (widthUs < endUs - beginUs) {
+      this.fromUs = beginUs - marginUs;
+    }
   }
 
   // Returns what is at the pointer, or in the middle.

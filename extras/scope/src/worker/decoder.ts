@@ -1,13 +1,10 @@
 // Decodes a tape in a WebAssembly instance of its own. All that it knows is in its memory: a copy of that is the line's state.
 
-import { type Exports, Flag } from '../border';
-import { History, isSample, samplesOf } from '../history';
-import type { Samples } from '../messages';
-import { imports, Native, type Stretch } from '../native';
+import type { Exports } from '../border';
+import { imports, Native } from '../native';
 import type { Tape } from './tape';
 
 const stepUs = 1000000;
-const silentStepUs = 10000; // for a condition that may become true while nothing comes
 const blockSize = 256; // numbers of 32 bits
 
 // A copy of the memory: the blocks that differ from the first one.
@@ -111,66 +108,5 @@ export class Decoder {
     const part = this.tape.part(this.next);
     this.next += part.count;
     this.native.transfer(part.bytes, (size) => this.calls.feed(size, Number(this.next === this.tape.size)));
-  }
-}
-
-// Decodes the history before a place.
-export class Past {
-  private readonly stretches: Stretch[] = [];
-
-  constructor(
-    readonly id: number, // of the request
-    private readonly decoder: Decoder,
-    private readonly endUs: number,
-  ) {}
-
-  // Returns the history once it is all there; undefined at the time `hurry`, in ms.
-  work(hurry: number): Samples | undefined {
-    const { decoder } = this;
-    const isThere = decoder.advance(
-      this.endUs,
-      (records) => decoder.reader.stretchesIn(records).forEach((stretch) => isSample(stretch) && this.stretches.push(stretch)),
-      hurry,
-    );
-    return isThere ? samplesOf(this.stretches.slice(-History.capacity)) : undefined;
-  }
-}
-
-// Looks for the next moment at which a condition becomes true.
-export class Search {
-  found?: number; // us
-  private readonly stepUs: number;
-
-  // `decoder`: stands at `fromUs` or before.
-  constructor(
-    readonly id: number, // of the request
-    steps: Uint8Array,
-    private readonly decoder: Decoder,
-    private readonly fromUs: number,
-    private readonly endUs: number,
-  ) {
-    this.stepUs = decoder.watchFor(steps) ? silentStepUs : stepUs;
-  }
-
-  get us(): number {
-    return this.decoder.us;
-  }
-
-  // Returns true if it has found the moment, or none up to the end; false at the time `hurry`, in ms.
-  work(hurry: number): boolean {
-    const { decoder } = this;
-    while (this.found === undefined && decoder.us < this.endUs) {
-      if (performance.now() > hurry) {
-        return false;
-      }
-      decoder.advance(Math.min(decoder.us + this.stepUs, this.endUs), (records) =>
-        decoder.reader.each(records, ({ endUs, flags }) => {
-          if (flags & Flag.Event && endUs > this.fromUs) {
-            this.found ??= endUs;
-          }
-        }),
-      );
-    }
-    return true;
   }
 }

@@ -43,13 +43,14 @@ export class FaultIndex {
   private readonly perUs: number;
   private count = 0; // frames or rows
   private firstUs = 0; // of the first of them
-  private newestUs?: number; // of the newest of them; before the first, of the first bytes
   private isRow = false; // the newest of them is a row
 
-  // `gapOf`: WebAssembly's.
+  // `gapOf`: WebAssembly's. `newestUs`: of the newest frame or row; before the first, when the line begins, or undefined before its first
+  // bytes.
   constructor(
     endUs: number,
     private readonly gapOf: Exports['gapOf'],
+    private newestUs?: number,
   ) {
     this.perUs = binCount / Math.max(endUs, 1);
   }

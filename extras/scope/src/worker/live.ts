@@ -70,7 +70,7 @@ class LiveLine {
     if (feed instanceof PortFeed) {
       this.timer = setInterval(() => this.turn(0), turnMs);
     }
-    this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0) });
+    this.answer({ kind: 'opened', lengthUs: 0, carrier: '', hasTimes: true, picture: this.picture(0, 0) });
   }
 
   private hear(request: Request): void {

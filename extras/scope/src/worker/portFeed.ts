@@ -60,7 +60,7 @@ export class PortFeed {
   }
 
   get title(): string {
-    return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : 'S.Bus on a serial adapter, 8E2';
+    return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : `Serial adapter, ${this.setting.baud} baud, 8E2`;
   }
 
   get state(): State {

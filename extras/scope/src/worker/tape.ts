@@ -151,6 +151,10 @@ export class Tape {
     return this.native.words(this.native.calls.flightPage());
   }
 
+  get hasTimes(): boolean {
+    return this.native.calls.recordingHasTimes() !== 0;
+  }
+
   get startUs(): number | undefined {
     return this.native.calls.recordingStartUs() || undefined;
   }

@@ -1,6 +1,5 @@
 // A recording's places: the decoder's states, some seconds apart, the line's faults, the flight's figures, and its values' envelope. It is decoded once, whenever there is time.
 
-import { keptSeconds } from '../history';
 import type { Answer } from '../messages';
 import { firstFrom } from '../numbers';
 import { Throttle } from '../throttle';
@@ -16,7 +15,7 @@ const mostImages = 1024; // of 80 kB each
 export class TapeIndex {
   private readonly images: Image[];
   readonly faults: FaultIndex;
-  private envelope?: EnvelopeIndex; // of a recording that is longer than what the page keeps
+  private envelope?: EnvelopeIndex; // until it is told
   private readonly apart: number;
   private readonly telling = new Throttle(progressMs);
 
@@ -29,8 +28,8 @@ export class TapeIndex {
     this.images = [decoder.image()];
     this.apart = Math.max(spacing, tape.size / mostImages);
     tape.beginFlight();
-    this.envelope = endUs > 1e6 * keptSeconds ? new EnvelopeIndex(endUs) : undefined;
-    this.faults = new FaultIndex(endUs, decoder.calls.gapOf);
+    this.envelope = new EnvelopeIndex(endUs);
+    this.faults = new FaultIndex(endUs, decoder.calls.gapOf, tape.carrier ? 0 : undefined); // a capture begins at its time 0
   }
 
   get us(): number {

@@ -82,7 +82,7 @@ export class Trials {
     const chosen = this.source.settings[best];
     this.round = finding;
     if (finding > Finding.NoFrames && best > 0) {
-      this.found = `${this.native.findingText(finding)} ${this.native.findingRemedy(finding)} Done: ${words(chosen)}.`;
+      this.found = `${this.native.findingText(finding)} The page has set it: ${words(chosen)}.`;
     }
     await this.source.use(chosen);
     this.trying = undefined;

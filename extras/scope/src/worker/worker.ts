@@ -1,19 +1,19 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
-import { Flag, Kind, LinkState, type RecordReader, type Status } from '../border';
+import { EndUs } from '../border';
 import { History } from '../history';
-import { type Answer, Fault, type Found, type Live, type Open, type Picture, type Request } from '../messages';
+import type { Answer, Found, Live, Open, Picture, Request } from '../messages';
 import { Throttle } from '../throttle';
-import { Decoder, Past, Search } from './decoder';
+import { Decoder } from './decoder';
 import { type Out, serve } from './live';
 import { findPort } from './portFeed';
+import { advanceTo, Past, Search } from './searches';
 import { Tape } from './tape';
 import { TapeIndex } from './tapeIndex';
 
 const sliceMs = 15; // of work, until messages are read
 const pictureMs = 30; // at most, for a picture
 const progressMs = 100;
-const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
 
 const sliceEnd = (): number => performance.now() + sliceMs;
@@ -38,7 +38,7 @@ class Playing {
     private readonly out: Out,
     private readonly progress: (part: number) => void,
   ) {
-    this.endUs = tape.lengthUs + 1000;
+    this.endUs = tape.lengthUs + EndUs;
     this.player = new Decoder(module, tape);
     this.index = this.newIndex();
   }
@@ -166,7 +166,7 @@ class Playing {
     const records = [player.reader.recalled()];
     player.advance(us, (part) => records.push(part));
     if (found) {
-      this.advanceTo(found, records);
+      advanceTo(found, player, index.endUs, records);
     }
     this.show(id, true, records, found, event);
     this.past = fromUs > 0 ? new Past(id, this.decoderBefore(fromUs - 1e6 * History.seconds), fromUs) : undefined;
@@ -217,25 +217,6 @@ class Playing {
     }
   }
 
-  // Goes on from where a fault begins to where the page shows it: what a byte belongs to is known some bytes later.
-  private advanceTo(found: Found, records: Uint8Array[]): void {
-    const { player } = this;
-    let isShown = records.some((part) => this.shows(part, found));
-    for (const endUs = Math.min(found.fromUs + longestLookUs, this.index.endUs); !isShown && player.us < endUs; ) {
-      player.advance(player.us + 1000, (part) => {
-        records.push(part);
-        isShown ||= this.shows(part, found);
-      });
-      isShown ||= found.fault >= Fault.NoFrames && isSilent(player.reader.status(player.us), found.fault);
-    }
-  }
-
-  private shows(records: Uint8Array, { fault, fromUs }: Found): boolean {
-    let isIn = false;
-    this.player.reader.each(records, (sample) => (isIn ||= sample.endUs >= fromUs && hasFault(sample, fault)));
-    return isIn;
-  }
-
   private show(id: number, jumped: boolean, records: Uint8Array[], found?: Found | null, event?: number | null): void {
     this.answer({ ...this.picture(id, jumped, records), found, event }, records.map(({ buffer }) => buffer));
   }
@@ -243,19 +224,6 @@ class Playing {
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
     const { us, reader } = this.player;
     return { kind: 'picture', id, jumped, ...reader.picture(us), records, faults: this.index.faults.at(us) };
-  }
-}
-
-const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
-
-function hasFault({ kind, flags }: RecordReader, fault: Fault): boolean {
-  const isFrame = kind !== Kind.NoFrame;
-  switch (fault) {
-    case Fault.Failsafe: return isFrame && (flags & Flag.Failsafe) !== 0;
-    case Fault.NoPulses: return kind === Kind.Frame && (flags & Flag.NoPulses) !== 0;
-    case Fault.LostFrame: return isFrame && (flags & Flag.LostFrame) !== 0;
-    case Fault.Damage: return !isFrame;
-    default: return false; // time passes until it is seen
   }
 }
 
@@ -281,10 +249,10 @@ async function open({ wasm, file, signal }: Open, out: Out): Promise<void> {
       out.postMessage({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs } = tape;
+    const { lengthUs, carrier, signals, note, damage, zeroUs, startUs, hasTimes } = tape;
     const playing = new Playing(module, tape, out, progress);
     out.onmessage = ({ data }): void => playing.hear(data);
-    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, picture: playing.picture(0, false, []) });
+    out.postMessage({ kind: 'opened', lengthUs, carrier, signals, note, damage, zeroUs, startUs, hasTimes, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     out.postMessage({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
