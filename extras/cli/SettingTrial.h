@@ -40,6 +40,9 @@ class SettingTrial {
   // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 discarded bytes".
   std::string text() const;
 
+  // Returns Observer::packets() as a line; empty without them.
+  std::string packets() const { return _observer.packets().empty() ? "" : _observer.packets() + "\n"; }
+
   Json json(bool hasTimes) const;
 
   // Returns a line: "S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us; 1 % with the lost-frame flag".

@@ -148,10 +148,12 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
   const sbus::Finding finding =
       line::isWell(diagnosis.finding()) && !hasParity ? sbus::Finding::NoParity : diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
+  const bool areWrong = finding == sbus::Finding::WrongPackets || finding == sbus::Finding::UnusedFlags;
+  const auto shaped = std::find_if(heard.begin(), heard.end(), [&](const auto &each) { return each->trial().other == finding; });
   const Verdict verdict = verdictOnLine(
       finding, best, advice(finding, source, settings.front(), settings[diagnosis.best()], best.periodMs()));
   write(asJson ? verdict.json().text("line", best.variant()).line()
-               : verdict.text() + best.figures(source.hasTimes()) + best.telemetry() + best.note());
+               : verdict.text() + (areWrong ? (*shaped)->packets() : "") + best.figures(source.hasTimes()) + best.telemetry() + best.note());
   return verdict.well;
 }
 

@@ -79,12 +79,14 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
 }
 
 bool isOtherSender(sbus::Finding finding) {
-  return finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel;
+  return (finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel) || finding == sbus::Finding::WrongPackets;
 }
 
 // Returns what `sbus doctor` finds, if nothing else in a summary tells it.
 std::string findingText(sbus::Finding finding) {
-  const bool isShown = finding == sbus::Finding::Noise || finding == sbus::Finding::LongPeriod || isOtherSender(finding);
+  const bool isShown = finding == sbus::Finding::UnusedFlags || finding == sbus::Finding::Noise ||
+                       finding == sbus::Finding::SevenBits || finding == sbus::Finding::LostInTurn ||
+                       finding == sbus::Finding::LongPeriod || isOtherSender(finding);
   return isShown ? "finding      " + std::string(sbus::text(finding)) + '\n' : "";
 }
 
