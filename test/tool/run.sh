@@ -138,6 +138,21 @@ verdict $? "--version prints the version, and those of the libraries: $(tail -n 
 "$sbus" 2>"$work/out"
 [ $? -eq 2 ] && "$sbus" --help | cmp - "$work/out"
 verdict $? "without a subcommand all are listed"
+while IFS='|' read -r meant arguments; do
+  # shellcheck disable=SC2086  # words
+  timeout 60 "$sbus" $meant $arguments >"$work/wanted" 2>/dev/null
+  status=$?
+  # shellcheck disable=SC2086  # words
+  timeout 60 "$sbus" $arguments >"$work/out" 2>"$work/err"
+  [ $? -eq $status ] && cmp "$work/wanted" "$work/out" && sed -n 1p "$work/err" | grep -qxF "sbus: this is sbus $meant ${arguments%% *}"
+  verdict $? "sbus $arguments is sbus $meant $arguments"
+done <<END
+summary|recordings/paper.txt
+summary|recordings/paper.txt --json
+monitor|sim --simulated-time --seconds 1
+monitor|sim:24 --simulated-time --seconds 1
+monitor|/dev/no-such-port
+END
 for arguments in '80 help bridge' '80 --help-all' '100 watch --help' '50 help send'; do
   # shellcheck disable=SC2086  # words
   on_terminal "${arguments%% *}" "$sbus" ${arguments#* } | tee "$work/help" | tr -s ' \n' '\n' >"$work/came"
