@@ -130,6 +130,10 @@ Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std
     return {false, "Telemetry rejected: the frames are good, but the bytes after them are not just slots.",
             "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"};
   }
+  if (well && best.jumps() > 0) {
+    return {false, "Jumps: the frames are good, but now and then a channel leaves its course for one of them.",
+            "The sender makes them: sbus summary lists channels and times, sbus watch --when jump records them."};
+  }
   return {well, std::string(text(finding)), remedyAtPc(finding), advice};
 }
 

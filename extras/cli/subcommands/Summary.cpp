@@ -39,8 +39,8 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int
       line::format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
                    seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
   for (const line::FlagSpan &span : shown) {
-    text += line::format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs),
-                         seconds(span.us()));
+    const std::string what = span.channels != 0 ? "  " + jumpedText(span) : line::format("%10.3f s", seconds(span.us()));
+    text += line::format("%14.3f s to %10.3f s %s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs), what.c_str());
   }
   return text;
 }
@@ -48,11 +48,14 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int
 std::string json(const char *type, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   std::string lines;
   for (const line::FlagSpan &span : spans) {
-    lines += Json("span")
-                 .text("kind", type)
-                 .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
-                 .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs))
-                 .line();
+    Json line("span");
+    line.text("kind", type)
+        .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
+        .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs));
+    if (span.channels != 0) {
+      line.text("channels", jumpedText(span));
+    }
+    lines += line.line();
   }
   return lines;
 }
@@ -63,7 +66,8 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
                                   seconds(flight.lastUs(), zeroUs));
   for (const line::SpanName &each : line::SpanNames) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
-    const bool isRare = each.kind == line::FlagSpan::Kind::NoPulses || each.kind == line::FlagSpan::Kind::Late;
+    const bool isRare = each.kind == line::FlagSpan::Kind::NoPulses || each.kind == line::FlagSpan::Kind::Late ||
+                        each.kind == line::FlagSpan::Kind::Jump;
     text += all.empty() && isRare ? "" : tool::text(each.name, all, zeroUs);
   }
   unsigned long most = 1;
@@ -201,7 +205,7 @@ void addSummary(CLI::App &app) {
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
       "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more. "
-      "PC late: bytes came 0.1 s late or "
+      "Jumps: a channel leaves its course for one frame, farther than a stick can. PC late: bytes came 0.1 s late or "
       "more, from a busy PC or a stalled adapter, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });
 }
