@@ -59,6 +59,9 @@ class SettingTrial {
   // a busy PC do not count as silence.
   bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
 
+  // See Observer.
+  unsigned long readAtBaud() const { return _observer.readAtBaud(); }
+
   // Returns how many frames had a channel that jumped: line::Jumps.
   uint32_t jumps() const { return _observer.jumps(); }
 

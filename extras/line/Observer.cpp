@@ -24,6 +24,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _telemetry = TelemetrySlots();
   _protocols = sbus::OtherProtocols();
   _faults = SenderFaults();
+  _readAt = ReadAtBaud();
   _packets = sbus::PacketShape();
   _packetPeriods = Extent();
   _packetUs = nowUs;
@@ -131,6 +132,7 @@ void Observer::put(const Character &character) {
     _protocols.put(character.value);
   }
   _faults.put(character);
+  _readAt.put(character.value);
   _waits = !character.bad;
   _characterErrors += character.bad;
   _segments.put(character);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "line/Decoders.h"
+#include "line/ReadAtBaud.h"
 #include "line/Segments.h"
 #include "line/SenderFaults.h"
 #include "line/Statistics.h"
@@ -59,6 +60,9 @@ class Observer : public Statistics {
   // length that are not frames.
   std::string packets() const;
 
+  // Returns the baud rate at which a port seems to have read the line; 0 if it is the line's, or another.
+  unsigned long readAtBaud() const { return _readAt.baud(); }
+
   unsigned long characterErrors() const { return _characterErrors; }
   // Returns "1 frame", "20 frames of 24 channels", or of a line that changed "30 frames, 20 of 24 channels".
   std::string frames() const;
@@ -98,6 +102,7 @@ class Observer : public Statistics {
   uint64_t _silenceUs;  // the certain silence since then
   sbus::OtherProtocols _protocols;
   SenderFaults _faults;
+  ReadAtBaud _readAt;
   sbus::PacketShape _packets;
   Extent _packetPeriods;   // us
   uint64_t _packetUs;      // when the newest began

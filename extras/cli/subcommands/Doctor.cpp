@@ -119,6 +119,16 @@ std::optional<Verdict> verdictOnSource(const SourceOption &source,
   return isChanged ? std::optional(Verdict{false, source.file().damage, source.file().damageRemedy}) : std::nullopt;
 }
 
+// Returns the verdict on S.Bus that was read at another baud rate; nothing for any other line.
+std::optional<Verdict> verdictOnBaud(sbus::Finding finding, const std::vector<std::unique_ptr<SettingTrial>> &heard) {
+  const auto found = std::find_if(heard.begin(), heard.end(), [](const auto &each) { return each->readAtBaud() != 0; });
+  if (found == heard.end() || (finding != sbus::Finding::NoFrames && finding != sbus::Finding::WrongPackets)) {
+    return std::nullopt;
+  }
+  return Verdict{false, "Wrong baud rate: these are frames of S.Bus that a port has read at " + std::to_string((*found)->readAtBaud()) + " baud.",
+                 "Read the port with sbus, which sets 100000 baud, 8E2: a terminal program often cannot."};
+}
+
 Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {
   const bool well = line::isWell(finding);
   if (well && best.isInterrupted()) {
@@ -154,10 +164,11 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
   const SettingTrial &best = *heard[diagnosis.best()];
   const bool areWrong = finding == sbus::Finding::WrongPackets || finding == sbus::Finding::UnusedFlags;
   const auto shaped = std::find_if(heard.begin(), heard.end(), [&](const auto &each) { return each->trial().other == finding; });
-  const Verdict verdict = verdictOnLine(
+  const std::optional<Verdict> onBaud = verdictOnBaud(finding, heard);
+  const Verdict verdict = onBaud ? *onBaud : verdictOnLine(
       finding, best, advice(finding, source, settings.front(), settings[diagnosis.best()], best.periodMs()));
   write(asJson ? verdict.json().text("line", best.variant()).line()
-               : verdict.text() + (areWrong ? (*shaped)->packets() : "") + best.figures(source.hasTimes()) + best.telemetry() + best.note());
+               : verdict.text() + (areWrong && !onBaud ? (*shaped)->packets() : "") + best.figures(source.hasTimes()) + best.telemetry() + best.note());
   return verdict.well;
 }
 

@@ -171,6 +171,10 @@ void run(const SourceOption &source, const Options &options) {
   sbus::Diagnosis diagnosis;
   diagnosis.add(examination.trial(flight.observer(), input->settings(), lastUs));
   const sbus::Finding finding = diagnosis.finding();
+  if (!flight.any() && flight.observer().readAtBaud() != 0) {
+    throw std::runtime_error(source.name() + ": no frames received. A port has read S.Bus at " +
+                             std::to_string(flight.observer().readAtBaud()) + " baud; it has 100000, 8E2");
+  }
   if (!flight.any() && isOtherSender(finding)) {
     throw std::runtime_error(source.name() + ": no frames received. " + std::string(sbus::text(finding)));
   }
