@@ -52,8 +52,14 @@ std::string json(const char *type, const std::vector<line::FlagSpan> &spans, int
     line.text("kind", type)
         .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
         .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs));
-    if (span.channels != 0) {
-      line.text("channels", jumpedText(span));
+    std::vector<double> channels;
+    for (unsigned i = 0; i < 32; i++) {
+      if ((span.channels >> i & 1) != 0) {
+        channels.push_back(i + 1);
+      }
+    }
+    if (!channels.empty()) {
+      line.numbers("channels", channels);
     }
     lines += line.line();
   }
