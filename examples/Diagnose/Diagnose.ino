@@ -8,11 +8,11 @@
   an inverter in the signal wire; it is tried only at the two baud rates.
 */
 
-#include <DecodeSBus.h>
+#include <DecodeSBusDiagnosis.h>
 #include <SBusUart.h>
 #include <sbus/Diagnosis.h>
 
-DecodeSBus32 dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
+DecodeSBusDiagnosis dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 auto &input = sbus::portOf(SBUS_UART);
 
 struct Setting {
@@ -41,17 +41,14 @@ void print(uint32_t number, const char *text) {
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
   const uint32_t start = millis();
-  uint32_t pulseless = 0;
-  SBusFrame frame;
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
-    const bool isNew = dSBus.read(frame);
-    pulseless += isNew && !frame.failsafe && !frame.lostFrame && sbus::hasNoPulses(frame.channels);
+    dSBus.parseSBusFrame();
   }
-  const sbus::Counters counters = dSBus.counters();
-  diagnosis.add({setting.baud, setting.config == sbus::Inverted, TRIAL, counters, pulseless, sbus::Finding::NoSignal});
+  const sbus::Trial trial = dSBus.trial(setting.baud, setting.config == sbus::Inverted, TRIAL);
+  diagnosis.add(trial);
   Serial.print(setting.text);
-  print(counters.frames, " frames, ");
-  print(counters.discardedBytes, " discarded bytes\r\n");
+  print(trial.counters.frames, " frames, ");
+  print(trial.counters.discardedBytes, " discarded bytes\r\n");
 }
 
 // Prints the numbers of the setting with the most frames.

@@ -41,6 +41,9 @@ class SettingTrial {
   // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 discarded bytes".
   std::string text() const;
 
+  // Returns Observer::packets() as a line; empty without them.
+  std::string packets() const { return _observer.packets().empty() ? "" : _observer.packets() + "\n"; }
+
   Json json(bool hasTimes) const;
 
   // Returns a line: "S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us; 1 % with the lost-frame flag".
@@ -59,6 +62,12 @@ class SettingTrial {
 
   // Returns, in a sentence, when bytes came but no frame, or that the line went silent, for 0.3 s in all; otherwise "".
   std::string framesInPart() const;
+
+  // See Observer.
+  unsigned long readAtBaud() const { return _observer.readAtBaud(); }
+
+  // Returns how many frames had a channel that jumped: line::Jumps.
+  uint32_t jumps() const { return _observer.jumps(); }
 
   // Returns the frame period in ms; 0 if it is not known.
   unsigned periodMs() const;

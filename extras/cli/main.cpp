@@ -1,6 +1,7 @@
 // sbus: looks at S.Bus lines, records, replays and diagnoses them.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -51,7 +52,8 @@ int main(int argc, char **argv) {
   app.set_help_all_flag("--help-all", "print the options of every subcommand");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a logic analyser's capture, bytes), - for "
-      "standard input, or sim, a built-in receiver. `sbus help SUBCOMMAND` and `man sbus` tell more.");
+      "standard input, or sim, a built-in receiver. Without a subcommand a port is shown (monitor), and a file summarised "
+      "(summary). `sbus help SUBCOMMAND` and `man sbus` tell more.");
   addSubcommands(app);
   tool::catchSignals();
   try {
@@ -59,7 +61,13 @@ int main(int argc, char **argv) {
       tool::printCompletions(app, {argv + 2, argv + argc});
       return EXIT_SUCCESS;
     }
-    app.parse(argc, argv);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (const std::string meant = argc > 1 ? tool::subcommandFor(app, words[0]) : ""; !meant.empty()) {
+      std::fprintf(stderr, "sbus: this is sbus %s %s\n", meant.c_str(), words[0].c_str());
+      words.insert(words.begin(), meant);
+    }
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(words);
   } catch (const CLI::RuntimeError &error) {
     return error.get_exit_code();  // the subcommand has said why
   } catch (const CLI::ParseError &error) {

@@ -31,12 +31,13 @@ constexpr Name Names[] = {{"failsafe", stateIs(sbus::LinkState::Failsafe)},
                           {"failsafe", {Moment::Failsafe, 1, 1}},
                           {"nopulses", {Moment::NoPulses, 1, 1}},
                           {"lostframe", {Moment::LostFrame, 1, 1}},
+                          {"jump", {Moment::Jump, 1, 1}},
                           {"rejected", {Moment::Rejected, 1, 1}}};
 constexpr size_t StateCount = 4;
 
 constexpr const char *StateNames = "ok, lossy, stale or failsafe is expected";
 constexpr const char *AllNames =
-    "a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
+    "a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or ( is expected";
 constexpr const char *Value = "a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected";
 
 bool isLetter(char c) {
@@ -259,6 +260,7 @@ Moment::Moment(Observer &observer, uint64_t nowUs, bool isRejected) {
   values[NoPulses] = newest.hasNoPulses();
   values[LostFrame] = newest.lostFrame;
   values[Rejected] = isRejected;
+  values[Jump] = observer.jumped() != 0 && !isRejected;
 }
 
 Condition::Condition(std::string_view text, const Shown &shown, bool maybeBoard) {

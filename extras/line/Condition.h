@@ -17,7 +17,7 @@ namespace line {
 // The line at a moment: after a frame, a board's row, or other bytes, or in the silence after them.
 struct Moment {
   // The values; the channels come first.
-  enum Which : uint8_t { ChannelsEnd = 32, Age = ChannelsEnd, Quality, State, Failsafe, NoPulses, LostFrame, Rejected, Count };
+  enum Which : uint8_t { ChannelsEnd = 32, Age = ChannelsEnd, Quality, State, Failsafe, NoPulses, LostFrame, Rejected, Jump, Count };
 
   Moment() : values{} {}
 

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
+#include "line/Format.h"
+
 namespace line {
 
 namespace {
+
+constexpr uint64_t GapCharacters = 8;
 
 // Returns us - lessUs, or 0 if that is negative.
 constexpr uint64_t difference(uint64_t us, uint64_t lessUs) {
@@ -20,6 +24,11 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _telemetry = TelemetrySlots();
   _protocols = sbus::OtherProtocols();
   _faults = SenderFaults();
+  _readAt = ReadAtBaud();
+  _packets = sbus::PacketShape();
+  _packetPeriods = Extent();
+  _packetUs = nowUs;
+  _rhythm = sbus::FlagRhythm();
   _characterUs = characterUs;
   _last = Character();
   _last.endUs = nowUs;
@@ -67,8 +76,55 @@ unsigned Observer::linkQuality(uint64_t nowUs) {
   return state(nowUs) == sbus::LinkState::Stale ? 0 : _percent;
 }
 
+sbus::Finding Observer::senderFault() const {
+  const sbus::Finding sender = _faults.found();
+  const sbus::Finding packets = _packets.found();
+  return sender != sbus::Finding::NoSignal && sender != sbus::Finding::SevenBits ? sender
+         : packets != sbus::Finding::NoSignal                                    ? packets
+         : sender == sbus::Finding::NoSignal && _rhythm.isSteady()               ? sbus::Finding::LostInTurn
+                                                                                 : sender;
+}
+
+std::string Observer::packets() const {
+  if (_packets.found() == sbus::Finding::NoSignal) {
+    return {};
+  }
+  const sbus::PacketForm &form = _packets.form();
+  std::string text = format("Packets: %u bytes from %02X to %02X, one every %.1f ms", unsigned{form.size}, unsigned{form.first},
+                            unsigned{form.last}, static_cast<double>(_packetPeriods.mean()) / 1000);
+  if (form.size != sbus::FrameSize) {
+    text += "; a frame has 25 bytes";
+  }
+  if ((form.first & sbus::AnyHeader) != sbus::HeaderByte) {
+    text += form.first == 0xF0 ? "; a frame begins with 0F: the lowest bit of a byte is sent first" : "; a frame begins with 0F";
+  }
+  if (form.size == sbus::FrameSize && !sbus::isEndByte(form.last)) {
+    text += "; a frame ends with 00";
+  }
+  if (form.size == sbus::FrameSize && !sbus::isFlagsByte(form.flags)) {
+    text += format("; the flags are %02X, where a frame has 0 in bits 4 to 7", unsigned{form.flags});
+  }
+  return text + ".";
+}
+
+void Observer::takeGap(uint64_t startUs) {
+  _packets.gap();
+  if (_packetUs > 0) {
+    _packetPeriods.add(startUs - _packetUs);
+  }
+  _packetUs = startUs;
+}
+
 void Observer::put(const Character &character) {
-  idleUntil(difference(character.endUs, _characterUs + character.lateUs));
+  const uint64_t startUs = difference(character.endUs, _characterUs + character.lateUs);
+  idleUntil(startUs);
+  if (startUs >= _last.endUs + GapCharacters * _characterUs) {
+    takeGap(startUs);
+  }
+  if (character.bad) {
+    _packets.spoil();
+  }
+  _packets.put(character.value);
   _lineUs += _silenceUs + _characterUs;
   _silenceUs = 0;
   _last = character;
@@ -76,6 +132,7 @@ void Observer::put(const Character &character) {
     _protocols.put(character.value);
   }
   _faults.put(character);
+  _readAt.put(character.value);
   _waits = !character.bad;
   _characterErrors += character.bad;
   _segments.put(character);
@@ -136,7 +193,6 @@ void Observer::emitFirst() {
 
 // Returns true if the stretch looks like a frame after a gap, and is the first on the line or after a silence.
 bool Observer::isExtraAlone(const Stretch &stretch) const {
-  constexpr uint64_t GapCharacters = 8;
   constexpr uint64_t SilenceUs = 50000;  // after this a decoder is no longer in sync
   const auto &characters = stretch.characters;
   const uint64_t gapEndUs = _emittedUs == 0 ? 0 : _emittedUs + (GapCharacters + 1) * _characterUs;
@@ -152,6 +208,9 @@ void Observer::emit(Stretch &stretch) {
   _emittedUs = stretch.endUs();
   if (stretch.isFrame()) {
     add(stretch);
+    if (stretch.kind != Stretch::Kind::Extra) {
+      _rhythm.put(newest().lostFrame);
+    }
     _percent = _quality.update(counters(), state(stretch.endUs()), static_cast<uint32_t>(stretch.endUs()));
   } else {
     for (const Rejected &rejected : _decoders.places().rejections) {

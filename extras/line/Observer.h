@@ -14,12 +14,15 @@
 #include <utility>
 
 #include "line/Decoders.h"
+#include "line/ReadAtBaud.h"
 #include "line/Segments.h"
 #include "line/SenderFaults.h"
 #include "line/Statistics.h"
 #include "line/telemetry/TelemetrySlots.h"
+#include "sbus/FlagRhythm.h"
 #include "sbus/LinkQuality.h"
 #include "sbus/OtherProtocols.h"
+#include "sbus/PacketShape.h"
 
 namespace line {
 
@@ -50,8 +53,15 @@ class Observer : public Statistics {
   // Returns the protocol of packets that came before the first frame of S.Bus; NoSignal without one. See
   // sbus::OtherProtocols.
   sbus::Finding otherProtocol() const { return _protocols.found(); }
-  // Returns what is wrong with the sender of characters with parity; NoSignal if nothing is. See SenderFaults.
-  sbus::Finding senderFault() const { return _faults.found(); }
+  // Returns what is wrong with the sender of characters with parity; NoSignal if nothing is. See SenderFaults, PacketShape
+  // and FlagRhythm.
+  sbus::Finding senderFault() const;
+  // Returns "Packets: 24 bytes from 0F to 00, one every 9.0 ms; a frame has 25 bytes."; empty if there are none of one
+  // length that are not frames.
+  std::string packets() const;
+
+  // Returns the baud rate at which a port seems to have read the line; 0 if it is the line's, or another.
+  unsigned long readAtBaud() const { return _readAt.baud(); }
 
   unsigned long characterErrors() const { return _characterErrors; }
   // Returns "1 frame", "20 frames of 24 channels", or of a line that changed "30 frames, 20 of 24 channels".
@@ -78,6 +88,7 @@ class Observer : public Statistics {
   void take(Stretch &stretch);
   void emit(Stretch &stretch);
   void emitFirst();
+  void takeGap(uint64_t startUs);
   bool isExtraAlone(const Stretch &stretch) const;
   sbus::Counters withJoins(sbus::Counters counters) const;
 
@@ -91,6 +102,11 @@ class Observer : public Statistics {
   uint64_t _silenceUs;  // the certain silence since then
   sbus::OtherProtocols _protocols;
   SenderFaults _faults;
+  ReadAtBaud _readAt;
+  sbus::PacketShape _packets;
+  Extent _packetPeriods;   // us
+  uint64_t _packetUs;      // when the newest began
+  sbus::FlagRhythm _rhythm;
   bool _waits;          // _last has not been passed to the decoders
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;

@@ -55,7 +55,7 @@ std::string places(const std::vector<Character> &characters, const Error &error)
 }  // namespace
 
 // If characters have errors, only these are named: no decoder gets them, so the reasons for rejecting the following
-// bytes would be wrong.
+// bytes would be wrong. In a stretch as long as a frame, the gap after it cuts off what begins inside.
 std::string why(const Stretch &stretch) {
   if (stretch.isFrame()) {
     return {};
@@ -72,17 +72,20 @@ std::string why(const Stretch &stretch) {
   if (!text.empty()) {
     return text;
   }
+  const bool isWhole = characters.size() == sbus::FrameSize;
+  const bool begins = (characters.front().value & sbus::AnyHeader) == sbus::HeaderByte;
   bool told[std::size(Reasons)] = {};
   for (const Rejected &rejected : stretch.rejected) {
     const auto reason = static_cast<size_t>(rejected.why);
-    if (!std::exchange(told[reason], true)) {
+    const bool isCut = isWhole && rejected.at > 0 && rejected.why == sbus::Rejection::GapInside;
+    if (!isCut && !std::exchange(told[reason], true)) {
       text += (text.empty() ? "" : ", ") + std::string(Reasons[reason]) +
               (rejected.at == 0 ? "" : " (byte " + std::to_string(rejected.at) + ")");
     }
   }
   const auto isHeader = [](const Character &c) { return c.value == sbus::HeaderByte; };
   const bool hasHeader = std::any_of(characters.begin(), characters.end(), isHeader);
-  return !text.empty() ? text : hasHeader ? "incomplete" : "no header";
+  return !text.empty() ? text : hasHeader && (begins || !isWhole) ? "incomplete" : "no header";
 }
 
 void Segments::reset(uint32_t characterUs) {

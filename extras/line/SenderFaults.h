@@ -27,20 +27,26 @@ class SenderFaults {
     const bool isSo = isEven == character.bad && !character.stopWrong;
     _even = isSo ? _even + isEven : 0;
     _odd = isSo ? _odd + !isEven : 0;
+    _bits = static_cast<uint8_t>(_bits | character.value);
+    _characters++;
   }
 
-  // Returns NoParity or IdleLevel; NoSignal if it is neither of them, or not known yet.
+  // Returns NoParity, IdleLevel or SevenBits; NoSignal if it is neither of them, or not known yet.
   sbus::Finding found() const {
     return _even >= ParityLeast && _odd >= ParityLeast ? sbus::Finding::NoParity
            : _breaks >= BreaksLeast                    ? sbus::Finding::IdleLevel
-                                                       : sbus::Finding::NoSignal;
+           : _characters >= SevenLeast && _bits == 0x7F ? sbus::Finding::SevenBits
+                                                        : sbus::Finding::NoSignal;
   }
 
  private:
   static constexpr unsigned ParityLeast = 20;  // characters one after the other: of random ones, one in 2^40
   static constexpr unsigned GoodLeast = 12;    // before a break: with the wrong polarity there are hardly any
   static constexpr unsigned BreaksLeast = 4;
+  static constexpr uint64_t SevenLeast = 1000;  // characters: 40 frames
 
+  uint8_t _bits = 0;  // all that were set
+  uint64_t _characters = 0;
   unsigned _even = 0;
   unsigned _odd = 0;
   unsigned _good = 0;     // characters since the newest wrong one

@@ -55,6 +55,8 @@ void Statistics::add(const Stretch &frame) {
   _newest.switches = is24 ? std::array<bool, 2>{} : _newest.switches;
   _newest.endUs = frame.endUs();
   _pulseless += _newest.hasNoPulses();
+  _jumped = _jumps.put(_newest.endUs, _newest.raw.data(), _newest.count, !_newest.failsafe && !_newest.hasNoPulses());
+  _jumpCount += _jumped != 0;
   for (size_t i = 0; i < _newest.count && !_newest.lostFrame && !_newest.failsafe; i++) {
     _travel[i].add(_newest.raw[i]);
   }

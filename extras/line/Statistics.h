@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "line/DetectedVariant.h"
+#include "line/Jumps.h"
 #include "line/Segments.h"
 #include "line/SmoothedLink.h"
 #include "sbus/Diagnosis.h"
@@ -89,6 +90,9 @@ class Statistics : public Arrivals {
   const DetectedVariant &variant() const { return _variant; }
   // Returns how many frames had no pulses.
   uint32_t pulseless() const { return _pulseless; }
+  // Returns the channels that have jumped in the frame before the newest, bit 0 for CH1; and how many frames had any.
+  uint32_t jumped() const { return _jumped; }
+  uint32_t jumps() const { return _jumpCount; }
   void resetMarks();
 
  protected:
@@ -102,6 +106,9 @@ class Statistics : public Arrivals {
   bool _has32 = false;             // two frames with header 2F came within ExtraWithin, and then always one within NoExtra
   unsigned _sinceExtra = NoExtra;  // frames since the newest of them, at most this many
   uint32_t _pulseless = 0;
+  Jumps _jumps;
+  uint32_t _jumped = 0;
+  uint32_t _jumpCount = 0;
   std::array<Extent, 32> _travel{};
 };
 

@@ -20,12 +20,16 @@ const char Words[] SBUS_FLASH =
     "Set the receiver's serial output to S.Bus, if it has one, or use another receiver.\0"
     "Not S.Bus: the receiver sends Spektrum's satellite protocol.\0"
     "Use a receiver with an S.Bus output.\0"
+    "Not S.Bus: the receiver sends DBUS, the protocol of DJI and RoboMaster.\0"
+    "Use a receiver with an S.Bus output, or a library for DBUS: 18 bytes, 100000 baud, 8E1.\0"
     "No parity: the sender has 8N1 or 8N2; S.Bus has 8E2.\0"
     "Open the sender's port with even parity and two stop bits: SERIAL_8E2.\0"
     "Wrong idle level: between frames the line has the level of a start bit.\0"
     "Mend the sender: between frames S.Bus rests at the level of a stop bit, 0 V.\0"
     "No frames: bytes come, but few frames or none.\0"
     "Connect GND. Is it S.Bus? Is an inverter missing, or one too many?\0"
+    "Wrong packets: all have one length, but they do not have the form of a frame.\0"
+    "Is it S.Bus? A frame has 25 bytes: header 0F, 22 with the channels, flags, end byte 00.\0"
     "24 channels: frames come, but of 24 channels, not of 16.\0"
     "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.\0"
     "Wrong polarity: frames come only with the other polarity.\0"
@@ -38,14 +42,20 @@ const char Words[] SBUS_FLASH =
     "Poll the port at least every 5 ms, at 200000 baud every 2.5 ms.\0"
     "Interrupts off: the port lost bytes meanwhile.\0"
     "Write flash or EEPROM, and update long LED strips, only while frames may be missed.\0"
+    "Wrong flags: frames come, but bits 4 to 7 of the flags are set.\0"
+    "Mend the sender: bit 0 is CH17, 1 is CH18, 2 frame lost, 3 failsafe; 4 to 7 are 0.\0"
     "Noise: frames are damaged.\0"
     "Connect the grounds, check the supply, shorten the wire.\0"
+    "Seven data bits: frames come, but not a byte has bit 7, and so channels are wrong.\0"
+    "Open the port with 8 data bits (8E2), and without stripping: stty cs8 -istrip.\0"
     "No pulses: CH1 to CH4 are 0 without a flag. The receiver has lost the radio.\0"
     "Use DecodeSBusNoPulses. Set the receiver's failsafe to Hold or Custom, not to No Pulses.\0"
     "Failsafe: the receiver works, but has lost the link.\0"
     "Switch the radio on, or bind them.\0"
     "No radio: the receiver works, but hears nothing.\0"
     "Switch the radio on, or bind them.\0"
+    "Lost in turn: the lost-frame flag comes and goes at a steady rhythm.\0"
+    "Choose a higher packet rate: the radio sends fewer packets than the receiver frames.\0"
     "Lossy: the receiver works, but misses radio frames.\0"
     "Check distance and aerials.\0"
     "Long period: the link is stale between frames, or once one is missing.\0"
@@ -83,6 +93,11 @@ bool isLongPeriod(const Trial &trial) {
   return period >= Diagnosis::PeriodLong && trial.counters.frames * period >= trial.ms / 2 && areFrames(trial.counters);
 }
 
+// Returns the fault to name of two: bytes from a wrong setting may look like IdleLevel.
+Finding firstOf(Finding a, Finding b) {
+  return a == Finding::NoSignal || (b != Finding::NoSignal && b < a) ? b : a;
+}
+
 uint32_t framesOfEitherSize(const Counters &counters) {
   return counters.frames + counters.otherSizeFrames;
 }
@@ -115,7 +130,7 @@ void Diagnosis::add(const Trial &trial) {
     _trial = trial;
     _best = _count;
   }
-  _other = trial.other != Finding::NoSignal ? trial.other : _other;
+  _other = trial.other == Finding::IdleLevel && _count != 0 ? _other : firstOf(_other, trial.other);
   _anyByte = _anyByte || trial.counters.frames != 0 || trial.counters.discardedBytes != 0;
   _count++;
 }
@@ -136,7 +151,7 @@ Finding Diagnosis::finding() const {
   if (framesCome && otherBaud) {
     return Finding::WrongBaud;
   }
-  if (!framesCome && _other != Finding::NoSignal) {
+  if (!framesCome && _other != Finding::NoSignal && _other <= Finding::IdleLevel) {
     return _other;
   }
   if (counters.overflows != 0) {
@@ -151,21 +166,28 @@ Finding Diagnosis::finding() const {
   if (counters.otherSizeFrames > byChance) {
     return Finding::Channels24;
   }
+  const bool areWrong = _other == Finding::WrongPackets || _other == Finding::UnusedFlags;
   if (!framesCome) {
-    return Finding::NoFrames;
+    return areWrong ? _other : Finding::NoFrames;
   }
   const uint32_t damaged = impairedFrames(counters);
   if (damaged > 1 + counters.frames / ImpairedPart) {
-    return Finding::Noise;
+    return areWrong ? _other : Finding::Noise;
   }
   if (!areFrames(counters)) {
-    return Finding::NoFrames;
+    return areWrong ? _other : Finding::NoFrames;
+  }
+  if (_other == Finding::SevenBits) {
+    return _other;
   }
   if (_trial.pulseless != 0) {
     return Finding::NoPulses;
   }
   if (counters.failsafeFrames != 0) {
     return Finding::Failsafe;
+  }
+  if (_other == Finding::LostInTurn && counters.lostFrames > counters.frames / LossyPart) {
+    return _other;
   }
   if (counters.lostFrames > counters.frames / NoRadioPart) {
     return Finding::NoRadio;

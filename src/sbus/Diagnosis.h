@@ -23,34 +23,39 @@ enum class Finding : uint8_t {
   FPort,                 ///< of FrSky's F.Port
   Sumd,                  ///< of Graupner's SUMD
   Spektrum,              ///< of a Spektrum satellite
+  Dbus,                  ///< of DJI's DBUS
   NoParity,              ///< characters of 8N1 or 8N2
   IdleLevel,             ///< between frames the line has the level of a start bit
   NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax, nor intact ones less often
+  WrongPackets,          ///< packets of one length that are not frames
   Channels24,            ///< no frames of 16 channels, but frames of 24, for a DecodeSBus24
   WrongPolarity,         ///< frames come with the opposite polarity
   WrongBaud,             ///< frames come with the other baud rate
   WrongPolarityAndBaud,  ///< frames come with the other polarity and the other baud rate
   PolledTooSeldom,       ///< the port's buffer overflowed
   InterruptsOff,         ///< the port lost bytes while interrupts were off (not noticed on an AVR)
+  UnusedFlags,           ///< frames have flags in bits that are not used
   Noise,                 ///< more than one frame in a hundred is impaired
+  SevenBits,             ///< not a byte has bit 7: the port has removed it
   NoPulses,              ///< the receiver has lost the radio, and sends 0 without a flag
   Failsafe,              ///< the receiver is in failsafe
   NoRadio,               ///< more than half of the frames have the lost-frame flag, without failsafe
+  LostInTurn,            ///< these frames come at a steady rhythm, as the radio's packets
   Lossy,                 ///< more than a tenth of the frames have the lost-frame flag
   LongPeriod,            ///< the frame period is PeriodLong or more
   AllWellAndMore,        ///< no fault; more than a byte per frame belongs to no frame
   AllWell,               ///< no fault
 };
 
-/// A setting that was tried, and what a DecodeSBus32 has counted with it: to a DecodeSBus, frames with header 2F count
-/// as impaired. All trials of a round last equally long.
+/// A setting that was tried, and what a DecodeSBusDiagnosis has counted with it: to a DecodeSBus, frames with header
+/// 2F count as impaired. All trials of a round last equally long.
 struct Trial {
   unsigned long baud;  ///< of the port
   bool inverted;       ///< the port inverts
   uint32_t ms;         ///< how long the port was polled; in 500 ms the slowest receiver known (25 Hz) sends 12 frames
   Counters counters;   ///< since the port was opened with this setting
   uint32_t pulseless;  ///< frames without a flag for which hasNoPulses() is true
-  Finding other;       ///< IBus to IdleLevel, of OtherProtocols for one; 0 (NoSignal) without one
+  Finding other;       ///< what the bytes show, IBus to WrongPackets, UnusedFlags, SevenBits, LostInTurn; or NoSignal
 };
 
 /// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters.

@@ -25,6 +25,7 @@ struct NoEvents {
   /// The next 25 bytes are this frame with header 2F, which was not yet complete at this time, us.
   void extra(const uint8_t *, uint32_t) {}
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
+  void gap(int) {}                         ///< the line was silent after this many bytes that come in later events
   void lost() {}                           ///< bytes are missing before the next one
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
   /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two gaps prove
@@ -240,6 +241,7 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
     const int count = _buffer.filled();
     _counters.discardedBytes += static_cast<unsigned>(count);
     Events::discarded(_buffer.bytes(), count);
+    Events::gap(0);
     _buffer.clear();
     _expectedAt = static_cast<int8_t>(-distance);
     _lossFollows = false;
@@ -255,6 +257,7 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
   // two impaired frames may look like one of this size again and again.
   void gapBefore(Silence gap) {
     const int filled = _buffer.filled();
+    Events::gap(filled);
     if (gap == Silence::Wide && filled != 0 && filled < Size && _buffer.isHeader(0)) {
       uint8_t *const beginning = _buffer.bytes();
       countUp(_counters.rejectedByLength);

@@ -9,6 +9,7 @@ constexpr uint8_t SpektrumSize = 16;    // two bytes, seven words with a channel
 constexpr uint8_t SpektrumPackets = 4;  // none has a checksum
 constexpr uint8_t FPortMark = 0x7E;     // FrSky's F.Port: src/main/rx/fport.c
 constexpr uint8_t FPortEscape = 0x7D;
+constexpr uint8_t DbusSize = 18;  // DJI's DR16: four sticks, two switches, mouse and keys of RoboMaster
 
 uint8_t crc8(uint8_t crc, uint8_t byte) {  // CRSF: D5
   crc = static_cast<uint8_t>(crc ^ byte);
@@ -36,6 +37,7 @@ void OtherProtocols::put(uint8_t byte) {
   take(1, Finding::Crsf, endOfCrsf());
   take(2, Finding::Sumd, endOfSumd());
   take(3, Finding::FPort, endOfFPort());
+  take(4, Finding::Dbus, endOfDbus());
   if (isSpektrum()) {
     _found = Finding::Spektrum;
   }
@@ -135,6 +137,25 @@ uint8_t OtherProtocols::endOfFPort() const {
   const uint8_t type = at(static_cast<uint8_t>(begin - 2));
   const bool isKnown = (size == 0x19 && type == 0) || (size == 0x08 && type == 1);
   return isKnown && sum == 0xFF && count == size + 2 ? static_cast<uint8_t>(begin + 1) : 0;
+}
+
+// Four sticks of 11 bits, two switches of 2 bits, the mouse's three ways (16 bits each) and two buttons, keys, and a
+// wheel. It has no checksum: of random packets one in 200000 looks like this.
+uint8_t OtherProtocols::endOfDbus() const {
+  constexpr uint16_t Low = 364, High = 1684;
+  const uint8_t first = DbusSize - 1;
+  for (uint8_t stick = 0; stick < 4; stick++) {
+    const uint8_t bit = static_cast<uint8_t>(11 * stick), back = static_cast<uint8_t>(first - bit / 8);
+    const uint32_t bits = at(back) | static_cast<uint32_t>(at(static_cast<uint8_t>(back - 1))) << 8 |
+                          static_cast<uint32_t>(at(static_cast<uint8_t>(back - 2))) << 16;
+    const uint16_t value = bits >> bit % 8 & 0x7FF;
+    if (value < Low || value > High) {
+      return 0;
+    }
+  }
+  const uint8_t switches = at(first - 5);
+  const bool areSwitches = (switches & 0x30) != 0 && (switches & 0xC0) != 0;
+  return areSwitches && at(first - 12) <= 1 && at(first - 13) <= 1 ? DbusSize : 0;
 }
 
 // Returns a bit for each channel of the packet that begins `first` bytes back; 0 if one comes twice.

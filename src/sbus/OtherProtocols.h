@@ -16,12 +16,12 @@ class OtherProtocols {
   /// Takes the next byte.
   void put(uint8_t byte);
 
-  /// Returns IBus, Crsf, FPort, Sumd or Spektrum; NoSignal if it is none of them, or not known yet.
+  /// Returns IBus, Crsf, FPort, Sumd, Spektrum or Dbus; NoSignal if it is none of them, or not known yet.
   Finding found() const { return _found; }
 
  private:
   static constexpr uint8_t Size = 72;  // the longest packet, SUMD's of 32 channels, has 69 bytes
-  static constexpr uint8_t Kinds = 4;
+  static constexpr uint8_t Kinds = 5;
 
   struct Chain {
     uint16_t end;   // where the newest packet ended
@@ -33,6 +33,7 @@ class OtherProtocols {
   uint8_t endOfCrsf() const;
   uint8_t endOfSumd() const;
   uint8_t endOfFPort() const;
+  uint8_t endOfDbus() const;
   bool isSpektrum() const;
   uint16_t identifiers(uint8_t first) const;
   void take(uint8_t kind, Finding finding, uint8_t size);

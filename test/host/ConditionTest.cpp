@@ -125,7 +125,7 @@ TEST_CASE("a board's numbers are compared as they are printed") {
 
 TEST_CASE("an error names its place and what is expected there") {
   constexpr const char *name =
-      "a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected";
+      "a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or ( is expected";
   constexpr const char *sign = "<, <=, >, >=, = or != is expected";
   constexpr const char *value = "a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected";
   constexpr const char *age = "a time with its unit, such as 50ms or 0.05s, is expected";

@@ -224,6 +224,61 @@ TEST_CASE("a sender's faults are named from its characters' errors: no parity, a
   }
 }
 
+TEST_CASE("seven data bits: of 1000 characters each bit has come but bit 7") {
+  const struct {
+    const char *what;
+    unsigned count;
+    uint8_t bits, last;
+    sbus::Finding fault;
+  } rows[] = {
+      {"1000", 1000, 0x7F, 0x0F, sbus::Finding::SevenBits},
+      {"999", 999, 0x7F, 0x0F, sbus::Finding::NoSignal},
+      {"the last has bit 7", 1000, 0x7F, 0x80, sbus::Finding::NoSignal},
+      {"all channels are 0", 1000, 0x0F, 0x00, sbus::Finding::NoSignal},
+      {"bit 6 is missing", 1000, 0x3F, 0x0F, sbus::Finding::NoSignal},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    line::SenderFaults faults;
+    Character character;
+    for (unsigned i = 1; i <= row.count; i++) {
+      character.endUs += 120;
+      character.value = i == row.count ? row.last : static_cast<uint8_t>(i & row.bits);
+      faults.put(character);
+    }
+    CHECK(faults.found() == row.fault);
+  }
+}
+
+TEST_CASE("packets of one length are described: what a frame has, and their period") {
+  const struct {
+    Bytes packet;
+    const char *text;
+  } rows[] = {
+      {Bytes(24, 0x0F), "Packets: 24 bytes from 0F to 0F, one every 9.0 ms; a frame has 25 bytes."},
+      {Bytes(25, 0x0F), "Packets: 25 bytes from 0F to 0F, one every 9.0 ms; a frame ends with 00."},
+      {Bytes{0xF0} + Bytes(24, 0x00),
+       "Packets: 25 bytes from F0 to 00, one every 9.0 ms; a frame begins with 0F: the lowest bit of a byte is sent first."},
+      {Bytes{0x55} + Bytes(7, 0x06), "Packets: 8 bytes from 55 to 06, one every 9.0 ms; a frame has 25 bytes; a frame begins with 0F."},
+      {Bytes{0x0F} + Bytes(22, 0x00) + Bytes{0x31, 0x00},
+       "Packets: 25 bytes from 0F to 00, one every 9.0 ms; the flags are 31, where a frame has 0 in bits 4 to 7."},
+      {Bytes{0x0F} + Bytes(24, 0x00), ""},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.text);
+    line::Observer observer;
+    for (unsigned i = 0; i < 30; i++) {
+      for (size_t at = 0; at < row.packet.size(); at++) {
+        Character character;
+        character.endUs = 9000 * (i + 1) + 120 * at;
+        character.value = row.packet[at];
+        observer.put(character);
+      }
+    }
+    CHECK(observer.packets() == row.text);
+  }
+}
+
 TEST_CASE("FASSTest 26: a frame with header 2F that ended before the link's state was last read does not change it") {
   Watched line;
   line.frame(992);

@@ -60,7 +60,7 @@ export default async function () {
       const { frames, lost_frames, failsafe_frames, discarded_bytes, character_errors, from_us, to_us } = told.find(({ type }) => type === 'summary');
       assert.deepEqual([found.frames, found.lostFrames, found.failsafeFrames, found.discardedBytes, found.characterErrors, found.fromUs, found.toUs],
         [frames, lost_frames, failsafe_frames, discarded_bytes, character_errors, from_us, to_us], file);
-      ['failsafe', 'no_pulses', 'lost_frames', 'no_frames', 'late'].forEach((name, kind) => {
+      ['failsafe', 'no_pulses', 'lost_frames', 'no_frames', 'late', 'jump'].forEach((name, kind) => {
         const spans = told.filter(({ type, kind: each }) => type === 'span' && each === name);
         const us = spans.reduce((sum, span) => sum + span.to_us - span.from_us, 0);
         assert.deepEqual([found.spans[kind].count, found.spans[kind].us], [spans.length, us], `${file}: ${name}`);

@@ -50,7 +50,7 @@ export default async function () {
     await reads(page, '#state', 'Fine');
     await page.click('#trigger-open');
     for (const [condition, said, from, to] of [
-      ['', 'Character 1: a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or ( is expected.', 0, 0],
+      ['', 'Character 1: a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or ( is expected.', 0, 0],
       ['ch5 >', 'Character 6: a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected.', 5, 5],
       ['ch5 > 2047', 'Character 7: a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected.', 6, 10],
       ['age > 50', 'Character 7: a time with its unit, such as 50ms or 0.05s, is expected.', 6, 8],

@@ -26,6 +26,28 @@ bridge sim:sbus2 - --seconds 2 | grep '"frame"' >"$work/out"
 "$SBUS" hex sim:sbus2 --json --simulated-time --seconds 2 | grep '"frame"' | sed 's/"end":"[0-9A-F]*"/"end":"00"/' | cmp - "$work/out" && [ -s "$work/out" ]
 verdict $? "bridge sim:sbus2 does not announce telemetry, since it sends none"
 
+# ---- Maps and limits: a FrSky's half travel is 820, a Futaba's 672
+
+while IFS='|' read -r source arguments wanted; do
+  # shellcheck disable=SC2086  # the arguments are words
+  got=$(bridge "$source" - --seconds 0.1 $arguments | rows | cut -d' ' -f1-6 | sort -u)
+  [ "$got" = "$wanted" ] || { echo "$got"; cat "$work/err"; false; }
+  verdict $? "bridge $source $arguments: $wanted"
+done <<'END'
+ch1=172,ch2=1811,ch3=400|--map 2,1|1811 172 400 992 992 992
+ch1=172,ch2=1811,ch3=400|--map -1,-2,-3|1811 172 1583 992 992 992
+ch1=0,ch2=2047|--map -2,-1|0 1983 172 992 992 992
+ch1=10,ch2=20,ch6=60|--map 6,6,1|60 60 10 992 992 60
+ch1=1402|--map 2,1 --limit ch2=200..1300|992 1300 172 992 992 992
+ch3=1811|--limit ch3=172..1500us|992 992 992 992 992 992
+ch3=100,ch1=1500|--limit ch3=-100%..50%,ch1=0..1000|1000 992 172 992 992 992
+ch1=1900,ch2=100|--limit ch1=-100%..100%,ch2=-100%..100% --range 1811,992,172|1811 172 172 992 992 992
+ch1=352,ch2=100%|--map -1,-2 --range futaba|1696 352 172 992 992 992
+ch3=1811,failsafe=on|--limit ch3=0..500 --failsafe ch3=900|992 992 900 992 992 992
+END
+[ "$(bridge sim:32 - --seconds 1 --map 2,1 | grep '"first":17')" = "$(bridge sim:32 - --seconds 1 | grep '"first":17')" ]
+verdict $? "--map leaves CH17 to CH32 as they are"
+
 # ---- jq in the loop, as extras/cli/README.md has it
 
 program=$(sed -n "/^sbus bridge .* jq /,/sbus send/p" ../extras/cli/README.md | tr '\n' ' ' | sed "s/.* jq -c --unbuffered '\(.*\)' | sbus send .*/\1/")
@@ -254,6 +276,16 @@ while IFS='|' read -r arguments message; do
   verdict $? "bridge says: $message"
 done <<'END'
 |SOURCE is required
+sim --map 1,x|--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not "x"
+sim --map 17|--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not "17"
+sim --map 1,1.5|--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not "1.5"
+sim --map 1,,2|--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not ""
+sim --map 1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,2|--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not "2"
+sim --limit ch1=5|--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or ch3=-100%..50%, are expected, not "ch1=5"
+sim --limit ch1=9..5|--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or ch3=-100%..50%, are expected, not "ch1=9..5"
+sim --limit ch1=9..5000|--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or ch3=-100%..50%, are expected, not "ch1=9..5000"
+sim --limit ch17=0..5|--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or ch3=-100%..50%, are expected, not "ch17=0..5"
+sim --limit ch1=0..5,ch1=1..2|--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or ch3=-100%..50%, are expected, not "ch1=1..2"
 sim --failsafe ch3=1,ch3=2|--failsafe: "ch3=2" sets a channel twice; leave one of them out
 sim --failsafe on|--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not on
 sim --failsafe ch3=3000|--failsafe: "ch3=3000" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected

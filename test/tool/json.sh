@@ -27,6 +27,7 @@ run watch sim --simulated-time --seconds 20 --when failsafe -o "$work/events"
 run compare sim sim:noise=20 --simulated-time --seconds 5
 "$SBUS" hex sim --simulated-time --seconds 5 --json | sed '100s/\[[0-9]*,/[2000,/' >"$work/other.json"
 run compare sim "$work/other.json" --simulated-time --seconds 5
+run summary "$work/other.json"  # frame 100 is a jump of CH1
 run ports
 run hex sim --seconds 0.2  # in real time
 "$SBUS" record sim:noise=20 -o "$work/port.txt" --simulated-time --seconds 0.5 2>"$work/err"

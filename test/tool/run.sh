@@ -138,6 +138,21 @@ verdict $? "--version prints the version, and those of the libraries: $(tail -n 
 "$sbus" 2>"$work/out"
 [ $? -eq 2 ] && "$sbus" --help | cmp - "$work/out"
 verdict $? "without a subcommand all are listed"
+while IFS='|' read -r meant arguments; do
+  # shellcheck disable=SC2086  # words
+  timeout 60 "$sbus" $meant $arguments >"$work/wanted" 2>/dev/null
+  status=$?
+  # shellcheck disable=SC2086  # words
+  timeout 60 "$sbus" $arguments >"$work/out" 2>"$work/err"
+  [ $? -eq $status ] && cmp "$work/wanted" "$work/out" && sed -n 1p "$work/err" | grep -qxF "sbus: this is sbus $meant ${arguments%% *}"
+  verdict $? "sbus $arguments is sbus $meant $arguments"
+done <<END
+summary|recordings/paper.txt
+summary|recordings/paper.txt --json
+monitor|sim --simulated-time --seconds 1
+monitor|sim:24 --simulated-time --seconds 1
+monitor|/dev/no-such-port
+END
 for arguments in '80 help bridge' '80 --help-all' '100 watch --help' '50 help send'; do
   # shellcheck disable=SC2086  # words
   on_terminal "${arguments%% *}" "$sbus" ${arguments#* } | tee "$work/help" | tr -s ' \n' '\n' >"$work/came"
@@ -154,7 +169,13 @@ done
 verdict $? "help and --help print the same"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
-rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
+"$sbus" hex "$work/paper.vcd" >"$work/wanted" && "$sbus" wave "$work/paper.vcd" -o "$work/again.vcd" && "$sbus" hex "$work/again.vcd" | cmp - "$work/wanted"
+verdict $? "wave of a capture is a capture with the same frames"
+for source in sim sim:24 sim:32; do
+  "$sbus" hex $source --values --simulated-time --seconds 2 >"$work/values.txt" && cut -c 13- "$work/values.txt" >"$work/wanted"
+  "$sbus" hex "$work/values.txt" --values 2>"$work/err" | cut -c 13- | cmp - "$work/wanted" && [ "$(grep -c 'end 00' "$work/wanted")" -gt 99 ]
+  verdict $? "what hex --values prints of $source is read again"
+done
 rejected "$work/paper.vcd:24: \"24\" is not allowed after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf 'time,CH17,CH18\n0.2,0,1\n0.4,1,0\n' >"$work/times.csv"
 "$sbus" monitor "$work/times.csv" --simulated-time | grep -q '^ *0\.[45][0-9]*  .*1 *0'

@@ -51,7 +51,7 @@ while IFS='|' read -r condition message; do
   [ $? -eq 2 ] && [ "$(head -n 1 "$work/err")" = "--when: \"$condition\": at character $message is expected" ] && [ ! -d "$work/none" ] || { cat "$work/err"; false; }
   verdict $? "--when \"$condition\": at character $message is expected"
 done <<'END'
-|1 a channel such as ch5, failsafe, nopulses, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
+|1 a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or (
 failsafe && ch33>1|13 a channel from ch1 to ch32
 quality<x|9 a number of percent
 END

@@ -119,6 +119,19 @@ Bytes spektrum(const std::vector<unsigned> &sticks, unsigned packet, uint8_t sys
   return bytes;
 }
 
+// DJI's DR16: sticks of 11 bits from 364 to 1684, switches 1 to 3, no mouse, no key, the wheel centred.
+Bytes dbus(const std::vector<unsigned> &sticks, unsigned packet) {
+  Bytes bytes(18);
+  for (unsigned bit = 0; bit < 44; bit++) {
+    const unsigned stick = 364 + sticks[bit / 11] * 1320 / 2047;
+    bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] | (stick >> bit % 11 & 1u) << bit % 8);
+  }
+  bytes[5] = static_cast<uint8_t>(bytes[5] | (1 + packet % 3) << 4 | (1 + packet / 3 % 3) << 6);
+  bytes[12] = packet % 2;
+  bytes[17] = 0x04;
+  return bytes;
+}
+
 Finding foundIn(const Bytes &bytes) {
   OtherProtocols protocols;
   for (const uint8_t byte : bytes) {
@@ -141,6 +154,7 @@ TEST_CASE("400 packets of each protocol are named, wherever they are joined; the
       {"CRSF", Finding::Crsf, [](const auto &sticks, unsigned i) { return i % 10 == 9 ? crsfStatistics() : crsf(sticks); }},
       {"SUMD", Finding::Sumd, [](const auto &sticks, unsigned) { return sumd(sticks); }},
       {"F.Port", Finding::FPort, [](const auto &sticks, unsigned) { return fPort(sticks); }},
+      {"DBUS", Finding::Dbus, [](const auto &sticks, unsigned i) { return dbus(sticks, i); }},
       {"Spektrum, 1024", Finding::Spektrum, [](const auto &sticks, unsigned i) { return spektrum(sticks, i, 0x01); }},
       {"Spektrum, 2048", Finding::Spektrum, [](const auto &sticks, unsigned i) { return spektrum(sticks, i, 0xA2); }},
   };

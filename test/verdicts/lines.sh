@@ -45,6 +45,17 @@ lines() {
       else if (kind == "8n2") print us, sixteen, "00! 00!"
       else if (kind == "80ms-missing" && count % 10 == 4) continue
       else if (kind == "flipped" && count % 29 == 4) print us, "2F" substr(sixteen, 3), "00 00"
+      else if (kind == "header-f0") print us, "F0" substr(sixteen, 3), "00 00"
+      else if (kind == "header-f0-zeros") print us, "F0 E5 03 1F F8 C0 07 3E", zero, "00 00 00 00 00 00"
+      else if (kind == "end-55") print us, sixteen, "00 55"
+      else if (kind == "24-bytes") print us, sixteen, "00"
+      else if (kind == "23-bytes") print us, sixteen
+      else if (kind == "flags-high") print us, sixteen, (count % 30 < 10 ? "30 00" : "00 00")
+      else if (kind == "dbus") print us, "00 C4 6F 88 A9 D8 00 00 00 00 00 00 00 00 00 00 00 04"
+      else if (kind == "seven-bits") print us, "0F 65 03 1F 78 40 07 3E 70 01 0F 7C 60 03 1F 78 40 07 3E 70 01 0F 7C 00 00"
+      else if (kind == "in-turn") print us, sixteen, (int(count * 0.45) > int((count - 1) * 0.45) ? "00 00" : "04 00")  # 50 of 111
+      else if (kind == "at-random") print us, sixteen, (rand() < 0.35 ? "04 00" : "00 00")
+      else if (kind == "jumps" && count % 70 == 35) print us, "0F E5 03 1F F8 C1" substr(sixteen, 18), "00 00"
       else if (kind == "half") print us, substr(sixteen, 1, 3 * 12)
       else if (kind != "cut" || count < 4 || us > 2991000) print us, sixteen, "00 00"  # cut for all but three frames
       if (count == 167) us += silenceUs
@@ -78,7 +89,7 @@ at_adapter() {
     END { packet(timer) }'
 }
 
-for kind in 80ms 80ms-missing 120ms 200ms spread ends begins paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other 24 16to24 24to16 half cut noise bad good; do
+for kind in 80ms 80ms-missing 120ms 200ms spread ends begins paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other header-f0 header-f0-zeros end-55 24-bytes 23-bytes flags-high dbus seven-bits in-turn at-random jumps 24 16to24 24to16 half cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
 head -n 3 "$folder/good.txt" >"$folder/one.txt"

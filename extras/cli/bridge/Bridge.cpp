@@ -168,6 +168,9 @@ void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   if (_options.rules.hasTrainer() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
     _options.rules.train(frame.values, _receivers[1]->observer.newest());
   }
+  if (kind != Kind::Extra) {
+    _options.rules.apply(frame.values.raw.data());
+  }
   _sentUs = nowUs;
   if (_options.rules.applyFailsafe(state, kind == Kind::Extra, frame.values)) {
     _output.put(frame);

@@ -1,10 +1,13 @@
 #include "cli/bridge/FrameRules.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "cli/options/CsvColumn.h"
+#include "line/capture/Parsing.h"
 #include "line/file/TableReader.h"
+#include "line/file/Units.h"
 #include "line/recording/Words.h"
 
 namespace tool {
@@ -32,6 +35,8 @@ FrameRules::FrameRules(Subcommand &subcommand) {
   _trainerOption =
       subcommand.option("--trainer", _trainer, "while this channel is on, take CH1 to CH4, or these, from --second");
   _trainerOption.type("CH[=CH,...]");
+  subcommand.option("--map", _map, "the channels of SOURCE that become CH1, CH2 ...; -3: CH3 reversed").type("N,N,...");
+  subcommand.option("--limit", _limit, "the ends of channels, such as ch3=172..1500").type("CH=LOW..HIGH,...");
   _failsafeOption = subcommand.option(
       "--failsafe", _failsafe,
       "without a link, send nothing, the last values, or these values (SOURCE's own, with its flags)");
@@ -41,6 +46,8 @@ FrameRules::FrameRules(Subcommand &subcommand) {
 void FrameRules::read(const sbus::Range &range) {
   _range = range;
   readTrainer();
+  readMap();
+  readLimits();
   readFailsafe();
 }
 
@@ -55,6 +62,60 @@ void FrameRules::readTrainer() {
     _handedOver.clear();
     line::forEachBetweenCommas(text.substr(sign + 1),
                                [&](std::string_view word) { _handedOver.push_back(trainersChannel(word)); });
+  }
+}
+
+void FrameRules::readMap() {
+  if (_map.empty()) {
+    return;
+  }
+  line::forEachBetweenCommas(_map, [&](std::string_view word) {
+    const bool isReversed = !word.empty() && word[0] == '-';
+    double number = 0;
+    const bool isNumber = line::parseNumber(word.substr(isReversed ? 1 : 0), number);
+    const auto channel = static_cast<size_t>(std::clamp(number, 0.0, 99.0));
+    if (!isNumber || static_cast<double>(channel) != number || channel == 0 || channel > sbus::ProportionalCount ||
+        _sources.size() == sbus::ProportionalCount) {
+      rejectCommandLine("--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not " +
+                        line::quoted(word));
+    }
+    _sources.push_back({channel - 1, isReversed});
+  });
+}
+
+void FrameRules::readLimits() {
+  if (_limit.empty()) {
+    return;
+  }
+  line::forEachBetweenCommas(_limit, [&](std::string_view word) {
+    const std::string wrong = "--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or "
+                              "ch3=-100%..50%, are expected, not " + line::quoted(word);
+    const size_t sign = word.find('='), dots = word.find("..");
+    const size_t channel = channelOr(wrong, word.substr(0, sign));
+    const bool isWhole = sign != word.npos && dots != word.npos && dots > sign;
+    const auto low = isWhole ? line::parseValue(std::string(word.substr(sign + 1, dots - sign - 1)), _range) : std::nullopt;
+    const auto high = isWhole ? line::parseValue(std::string(word.substr(dots + 2)), _range) : std::nullopt;
+    const bool isAgain = std::any_of(_limits.begin(), _limits.end(), [&](const Limit &other) { return other.channel == channel; });
+    const bool isTurned = _range.low > _range.high;  // -100 % has the higher raw value
+    if (!low || !high || isAgain || (*low > *high && !isTurned)) {
+      rejectCommandLine(wrong);
+    }
+    _limits.push_back({channel, std::min(*low, *high), std::max(*low, *high)});
+  });
+}
+
+// A reversed value is mirrored at the centre, in proportion to the lengths of the two sides, also beyond the ends.
+void FrameRules::apply(uint16_t *raw) const {
+  std::array<uint16_t, sbus::ProportionalCount> from{};
+  std::copy_n(raw, from.size(), from.begin());
+  for (size_t i = 0; i < _sources.size(); i++) {
+    const uint16_t value = from[_sources[i].channel];
+    raw[i] = !_sources[i].isReversed
+                 ? value
+                 : sbus::fromNormalized(static_cast<int16_t>(-sbus::toNormalized(value, _range)), _range);
+  }
+  for (const Limit &limit : _limits) {
+    raw[limit.channel] = std::clamp(raw[limit.channel], limit.low, limit.high);
   }
 }
 

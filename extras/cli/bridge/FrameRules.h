@@ -1,4 +1,4 @@
-// The options of `sbus bridge` that change a frame: --trainer, and --failsafe without a link.
+// The options of `sbus bridge` that change a frame: --trainer, --map, --limit, and --failsafe without a link.
 #pragma once
 
 #include <cstdint>
@@ -30,21 +30,39 @@ class FrameRules {
   // Copies the pupil's channels into the teacher's frame while the teacher's switch is on.
   void train(line::Values &teacher, const line::Values &pupil) const;
 
+  // Changes the raw values by --map, then --limit; the first is CH1.
+  void apply(uint16_t *raw) const;
+
   // Changes a frame that is sent in this state of the link; `isExtra`: one with header 2F. Returns false if nothing is
   // to be sent.
   bool applyFailsafe(sbus::LinkState state, bool isExtra, line::Values &values);
 
  private:
+  struct MapSource {
+    size_t channel;  // counted from 0
+    bool isReversed;
+  };
+  struct Limit {
+    size_t channel;  // counted from 0
+    uint16_t low, high;
+  };
+
   void readTrainer();
+  void readMap();
+  void readLimits();
   void readFailsafe();
 
   std::string _trainer;
   Option _trainerOption;
+  std::string _map;
+  std::string _limit;
   std::string _failsafe;
   Option _failsafeOption;
   sbus::Range _range = sbus::FrSky;
   size_t _switch = 0;  // the teacher's, counted from 0, and the channels that it hands over
   std::vector<size_t> _handedOver = {0, 1, 2, 3};
+  std::vector<MapSource> _sources;  // of CH1, CH2 ...
+  std::vector<Limit> _limits;
   std::vector<std::pair<size_t, uint16_t>> _failsafeValues;  // raw values of channels, counted from 0
   line::Values _held[2];  // of the newest frame with a link, and of that with header 2F; count 0: no such frame yet
 };

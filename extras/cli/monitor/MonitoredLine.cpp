@@ -14,7 +14,8 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t BytesUs = 300000;  // this long after the newest byte the line counts as silent
+constexpr uint64_t BytesUs = 200000;  // this long after the newest byte the line counts as silent; line::TailUs is longer
+constexpr uint64_t TelemetryUs = 50000;  // this long after a frame bytes may be its telemetry
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
@@ -218,7 +219,8 @@ std::vector<MonitorView::Group> MonitoredLine::groups(uint64_t nowUs, bool seen)
 
 void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
-  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + BytesUs;
+  const bool areAfterFrame = values.count == 0 || _characterUs > values.endUs + TelemetryUs;
+  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + BytesUs && areAfterFrame;
   const sbus::LinkState state = _observer.heldState(nowUs);
   switch (state) {
     case sbus::LinkState::NeverSeen:

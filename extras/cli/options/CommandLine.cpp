@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -72,6 +73,28 @@ std::string suggestion(const std::string &word, const Words &names) {
     }
   }
   return nearest.empty() ? "" : "did you mean " + nearest + "? ";
+}
+
+// What earlier versions had, and where to go.
+struct Withdrawn {
+  const char *word;
+  const char *now;
+};
+constexpr Withdrawn AllWithdrawn[] = {
+    {"joystick", "the recipe \"Simulators and games\" of extras/docs/recipes.md is a program of 20 lines"},
+    {"calibrate", "the example Calibrate measures the sticks on the board"},
+    {"explain", "sbus hex --values prints bytes and values, and the scope explains each byte"},
+    {"plot", "sbus summary -o report.html has the curves"},
+    {"replay", "sbus send plays a recording"},
+    {"simulate", "sbus send sim plays the simulated receiver"},
+    {"--html", "write sbus summary -o report.html"},
+    {"--loop", "write while sbus send FILE; do :; done"},
+    {"--mix", "write sbus bridge SOURCE - | jq ... | sbus send -: README.md of extras/cli has an example"}};
+
+// Returns "was withdrawn; ..." for such a word, otherwise "".
+std::string whereTo(const std::string &word) {
+  const auto found = std::find_if(std::begin(AllWithdrawn), std::end(AllWithdrawn), [&](const Withdrawn &each) { return word == each.word; });
+  return found == std::end(AllWithdrawn) ? "" : std::string(" was withdrawn; ") + found->now;
 }
 
 const CLI::App *find(const CLI::App &app, const std::string &name) {
@@ -210,13 +233,31 @@ std::string misplacedWord(const CLI::App &app) {
     const std::string &owner = subcommands.front()->get_name();
     return "sbus: " + *option + " is an option of " + owner + "; write it after " + owner;
   }
+  const std::string optionName = option->substr(0, option->find('='));
+  if (!whereTo(optionName).empty()) {
+    return name + ": " + optionName + whereTo(optionName);
+  }
   return name + ": " + *option + " is not an option; " +
          suggestion(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help +
          " lists them";
 }
 
 std::string unknownSubcommand(const CLI::App &app, const std::string &name) {
-  return name + " is not a subcommand; " + suggestion(name, subcommandNames(app)) + "sbus --help lists them";
+  const std::string instead = whereTo(name);
+  return !instead.empty() ? name + instead : name + " is not a subcommand" + (name.find_first_of("./") == std::string::npos ? "" : ", and there is no such file") +
+                                                     "; " + suggestion(name, subcommandNames(app)) + "sbus --help lists them";
+}
+
+std::string subcommandFor(const CLI::App &app, const std::string &word) {
+  const bool isSimulated = word == "sim" || word.rfind("sim:", 0) == 0;
+  std::error_code error;
+  const auto type = std::filesystem::status(word, error).type();
+  const bool isFile = type == std::filesystem::file_type::regular;
+  const bool isPort = line::isPortName(word) || (!isFile && type != std::filesystem::file_type::directory && !error);
+  return word.empty() || word[0] == '-' || find(app, word) != nullptr ? ""
+         : isFile                                                     ? "summary"
+         : isSimulated || isPort                                      ? "monitor"
+                                                                      : "";
 }
 
 void printCompletions(const CLI::App &app, const Words &words) {

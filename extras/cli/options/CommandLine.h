@@ -20,6 +20,10 @@ std::string misplacedWord(const CLI::App &app);
 // Returns "NAME is not a subcommand ..." with a suggestion.
 std::string unknownSubcommand(const CLI::App &app, const std::string &name);
 
+// Returns the subcommand that is meant if the first word is a source: monitor for a port or sim, summary for a file;
+// otherwise "".
+std::string subcommandFor(const CLI::App &app, const std::string &word);
+
 // Prints the completions of the last of `words`, the words after `sbus`, one per line; ":files" stands for file names.
 void printCompletions(const CLI::App &app, const std::vector<std::string> &words);
 

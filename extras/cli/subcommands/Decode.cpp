@@ -283,6 +283,10 @@ void decode(const Options &options, const Put &record) {
     throw std::runtime_error(options.capture + ": " + slow + ". What could be decoded is above");
   }
   if (observer.counters().frames == 0 && !options.characters) {
+    if (const sbus::Finding other = observer.otherProtocol(); other != sbus::Finding::NoSignal) {
+      throw std::runtime_error(options.capture + ": signal " + wire.signal() + ": " + std::string(sbus::text(other)) + " " +
+                               std::string(sbus::remedy(other)));
+    }
     throw std::runtime_error(options.capture + ": " + whyNoFrame(wire, observer.characters()));
   }
 }

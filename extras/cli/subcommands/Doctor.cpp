@@ -119,6 +119,16 @@ std::optional<Verdict> verdictOnSource(const SourceOption &source,
   return isChanged ? std::optional(Verdict{false, source.file().damage, source.file().damageRemedy}) : std::nullopt;
 }
 
+// Returns the verdict on S.Bus that was read at another baud rate; nothing for any other line.
+std::optional<Verdict> verdictOnBaud(sbus::Finding finding, const std::vector<std::unique_ptr<SettingTrial>> &heard) {
+  const auto found = std::find_if(heard.begin(), heard.end(), [](const auto &each) { return each->readAtBaud() != 0; });
+  if (found == heard.end() || (finding != sbus::Finding::NoFrames && finding != sbus::Finding::WrongPackets)) {
+    return std::nullopt;
+  }
+  return Verdict{false, "Wrong baud rate: these are frames of S.Bus that a port has read at " + std::to_string((*found)->readAtBaud()) + " baud.",
+                 "Read the port with sbus, which sets 100000 baud, 8E2: a terminal program often cannot."};
+}
+
 Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {
   const bool well = line::isWell(finding);
   const std::string part = well || finding == sbus::Finding::NoFrames ? best.framesInPart() : "";
@@ -133,6 +143,10 @@ Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std
   if (well && best.rejectsTelemetry()) {
     return {false, "Telemetry rejected: the frames are good, but the bytes after them are not just slots.",
             "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"};
+  }
+  if (well && best.jumps() > 0) {
+    return {false, "Jumps: the frames are good, but now and then a channel leaves its course for one of them.",
+            "The sender makes them: sbus summary lists channels and times, sbus watch --when jump records them."};
   }
   return {well, std::string(text(finding)), remedyAtPc(finding), advice};
 }
@@ -152,10 +166,13 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
   const sbus::Finding finding =
       line::isWell(diagnosis.finding()) && !hasParity ? sbus::Finding::NoParity : diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
-  const Verdict verdict = verdictOnLine(
+  const bool areWrong = finding == sbus::Finding::WrongPackets || finding == sbus::Finding::UnusedFlags;
+  const auto shaped = std::find_if(heard.begin(), heard.end(), [&](const auto &each) { return each->trial().other == finding; });
+  const std::optional<Verdict> onBaud = verdictOnBaud(finding, heard);
+  const Verdict verdict = onBaud ? *onBaud : verdictOnLine(
       finding, best, advice(finding, source, settings.front(), settings[diagnosis.best()], best.periodMs()));
   write(asJson ? verdict.json().text("line", best.variant()).line()
-               : verdict.text() + best.figures(source.hasTimes()) + best.telemetry() + best.note());
+               : verdict.text() + (areWrong && !onBaud ? (*shaped)->packets() : "") + best.figures(source.hasTimes()) + best.telemetry() + best.note());
   return verdict.well;
 }
 

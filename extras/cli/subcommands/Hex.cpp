@@ -113,7 +113,7 @@ class HexView {
     if (!stretch.isFrame() || !_options.values) {
       return {};
     }
-    std::string text = " ";
+    std::string text = "  #";  // a comment, to those who read the bytes again
     const size_t first = stretch.kind == line::Stretch::Kind::Extra ? sbus::ProportionalCount : 0;
     const size_t count = stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
     for (size_t channel = first; channel < first + count; channel++) {

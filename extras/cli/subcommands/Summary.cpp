@@ -39,8 +39,8 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int
       line::format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
                    seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
   for (const line::FlagSpan &span : shown) {
-    text += line::format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs),
-                         seconds(span.us()));
+    const std::string what = span.channels != 0 ? "  " + jumpedText(span) : line::format("%10.3f s", seconds(span.us()));
+    text += line::format("%14.3f s to %10.3f s %s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs), what.c_str());
   }
   return text;
 }
@@ -48,11 +48,20 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int
 std::string json(const char *type, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   std::string lines;
   for (const line::FlagSpan &span : spans) {
-    lines += Json("span")
-                 .text("kind", type)
-                 .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
-                 .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs))
-                 .line();
+    Json line("span");
+    line.text("kind", type)
+        .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
+        .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs));
+    std::vector<double> channels;
+    for (unsigned i = 0; i < 32; i++) {
+      if ((span.channels >> i & 1) != 0) {
+        channels.push_back(i + 1);
+      }
+    }
+    if (!channels.empty()) {
+      line.numbers("channels", channels);
+    }
+    lines += line.line();
   }
   return lines;
 }
@@ -63,7 +72,8 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
                                   seconds(flight.lastUs(), zeroUs));
   for (const line::SpanName &each : line::SpanNames) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
-    const bool isRare = each.kind == line::FlagSpan::Kind::NoPulses || each.kind == line::FlagSpan::Kind::Late;
+    const bool isRare = each.kind == line::FlagSpan::Kind::NoPulses || each.kind == line::FlagSpan::Kind::Late ||
+                        each.kind == line::FlagSpan::Kind::Jump;
     text += all.empty() && isRare ? "" : tool::text(each.name, all, zeroUs);
   }
   unsigned long most = 1;
@@ -79,12 +89,14 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
 }
 
 bool isOtherSender(sbus::Finding finding) {
-  return finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel;
+  return (finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel) || finding == sbus::Finding::WrongPackets;
 }
 
 // Returns what `sbus doctor` finds, if nothing else in a summary tells it.
 std::string findingText(sbus::Finding finding) {
-  const bool isShown = finding == sbus::Finding::Noise || finding == sbus::Finding::LongPeriod || isOtherSender(finding);
+  const bool isShown = finding == sbus::Finding::UnusedFlags || finding == sbus::Finding::Noise ||
+                       finding == sbus::Finding::SevenBits || finding == sbus::Finding::LostInTurn ||
+                       finding == sbus::Finding::LongPeriod || isOtherSender(finding);
   return isShown ? std::string(sbus::text(finding)) : "";
 }
 
@@ -176,6 +188,10 @@ void run(const SourceOption &source, const Options &options) {
   sbus::Diagnosis diagnosis;
   diagnosis.add(examination.trial(flight.observer(), input->settings(), lastUs));
   const sbus::Finding finding = diagnosis.finding();
+  if (!flight.any() && flight.observer().readAtBaud() != 0) {
+    throw std::runtime_error(source.name() + ": no frames received. A port has read S.Bus at " +
+                             std::to_string(flight.observer().readAtBaud()) + " baud; it has 100000, 8E2");
+  }
   if (!flight.any() && isOtherSender(finding)) {
     throw std::runtime_error(source.name() + ": no frames received. " + std::string(sbus::text(finding)));
   }
@@ -211,7 +227,7 @@ void addSummary(CLI::App &app) {
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
       "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more, "
       "from the first byte, or a capture's beginning, to the last. "
-      "PC late: bytes came 0.1 s late or "
+      "Jumps: a channel leaves its course for one frame, farther than a stick can. PC late: bytes came 0.1 s late or "
       "more, from a busy PC or a stalled adapter, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });
 }

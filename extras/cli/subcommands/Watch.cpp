@@ -149,7 +149,7 @@ void addWatch(CLI::App &app) {
   subcommand.flag("--json", options->json, "JSON lines: the events");
   subcommand.footer(
       "A condition compares (<, <=, >, >=, =, !=) ch1 to ch32 with 1500, 1500us or 50%, age with a time such as "
-      "50ms, or quality with percent; or it names failsafe, nopulses, lostframe, rejected, ok, lossy, stale, ch17 or ch18. Join "
+      "50ms, or quality with percent; or it names failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, ch17 or ch18. Join "
       "with !, && and || (or not, and, or) and (). The files stay valid if the disk fills up or the program is "
       "killed.");
   subcommand.run([options] { run(*options); });

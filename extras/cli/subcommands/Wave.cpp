@@ -1,7 +1,6 @@
 // sbus wave: writes the wire of a recording as a value change dump (VCD), for a logic analyser's software.
 
 #include <memory>
-#include <stdexcept>
 
 #include "cli/Output.h"
 #include "cli/options/SourceOption.h"
@@ -14,9 +13,6 @@ namespace {
 
 void run(const SourceOption &source, const std::string &output) {
   rejectSameFile(source.name(), output);
-  if (source.isFile() && source.file().isCapture()) {
-    throw std::runtime_error(source.name() + ": is a capture of the wire already; sbus decode reads it");
-  }
   const line::LineSettings settings = source.lineSettings();
   const std::unique_ptr<Input> input = source.open(settings);
   writeTo(output, File::Any, [&](const Put &put) {
@@ -29,7 +25,7 @@ void run(const SourceOption &source, const std::string &output) {
 }  // namespace
 
 void addWave(CLI::App &app) {
-  Subcommand subcommand(app, "wave", "writes the wire of a recording as VCD, for PulseView and similar programs");
+  Subcommand subcommand(app, "wave", "writes the wire of a recording or another capture as VCD, for PulseView and similar programs");
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto output = std::make_shared<std::string>();
   subcommand.option("-o,--output", *output, "a file (standard output)").type("FILE.vcd");

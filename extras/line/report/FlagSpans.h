@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "line/Silence.h"
@@ -11,11 +12,12 @@
 namespace line {
 
 struct FlagSpan {
-  enum class Kind { Failsafe, NoPulses, LostFrame, NoFrames, Late };
+  enum class Kind { Failsafe, NoPulses, LostFrame, NoFrames, Late, Jump };  // Jump: line::Jumps
 
   Kind kind;
   uint64_t fromUs;
   uint64_t toUs;
+  uint32_t channels = 0;  // that have jumped, bit 0 for CH1
 
   uint64_t us() const { return toUs - fromUs; }
 };
@@ -29,7 +31,8 @@ constexpr SpanName SpanNames[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsa
                                   {FlagSpan::Kind::NoPulses, "no pulses", "no_pulses", "failsafe"},
                                   {FlagSpan::Kind::LostFrame, "lost frames", "lost_frames", "lost"},
                                   {FlagSpan::Kind::NoFrames, "no frames", "no_frames", "silent"},
-                                  {FlagSpan::Kind::Late, "PC late", "late", "late"}};
+                                  {FlagSpan::Kind::Late, "PC late", "late", "late"},
+                                  {FlagSpan::Kind::Jump, "jumps", "jump", "lost"}};
 
 // Returns their total length.
 inline uint64_t sumUs(const std::vector<FlagSpan> &spans) {
@@ -38,6 +41,15 @@ inline uint64_t sumUs(const std::vector<FlagSpan> &spans) {
     us += span.us();
   }
   return us;
+}
+
+// Returns "CH4, CH7", the channels that have jumped; otherwise "".
+inline std::string jumpedText(const FlagSpan &span) {
+  std::string text;
+  for (unsigned i = 0; i < 32; i++) {
+    text += (span.channels >> i & 1) == 0 ? "" : (text.empty() ? "CH" : ", CH") + std::to_string(i + 1);
+  }
+  return text;
 }
 
 // Returns the `count` longest ones, longest first.
@@ -67,6 +79,9 @@ class FlagSpans {
     _all.push_back({gap == Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, sinceUs, us});
     return true;
   }
+
+  // Takes a jump of these channels in the newest frame; the next one is at `us`.
+  void jump(uint64_t us, uint32_t channels) { _all.push_back({FlagSpan::Kind::Jump, _lastUs, us, channels}); }
 
   // Takes the flags of the next frame.
   void put(uint64_t us, bool failsafe, bool lostFrame, bool noPulses) {

@@ -110,6 +110,10 @@ void FlightLog::put(const FlightFrame &frame) {
   second.lost += frame.lost;
   second.failsafe += frame.failsafe || frame.pulseless;
   _curves.put(frame.us, frame.channels.data(), isJoined);
+  const uint32_t jumped = _jumps.put(frame.us, frame.channels.data(), frame.count, !frame.failsafe && !frame.pulseless);
+  if (jumped != 0) {
+    _flags.jump(frame.us, jumped);
+  }
   _flags.put(frame.us, frame.failsafe, frame.lost, frame.pulseless);
 }
 
@@ -184,6 +188,11 @@ FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes) {
   if (!text.empty()) {
     text[0] = text[0] == 'f' ? 'F' : 'N';
     return {Severity::Bad, text + "; " + lostText + "."};
+  }
+  const size_t jumps = flight.spans(FlagSpan::Kind::Jump).size();
+  if (jumps > 0) {
+    return {Severity::Warning, format("No failsafe, no silence, but channels have jumped for one frame %zu %s; ", jumps,
+                                      jumps == 1 ? "time" : "times") + lostText + "."};
   }
   return lost >= WarningAt ? FlightVerdict{Severity::Warning, "No failsafe, no silence, but " + lostText + "."}
                            : FlightVerdict{Severity::Good, "All well: no failsafe, no silence, " + lostText + "."};

@@ -10,6 +10,7 @@
 
 #include "line/DetectedVariant.h"
 #include "line/FrameRate.h"
+#include "line/Jumps.h"
 #include "line/Segments.h"
 #include "line/report/Curves.h"
 #include "line/report/FlagSpans.h"
@@ -30,7 +31,8 @@ struct FlightFrame {
   uint64_t us;
   uint32_t lateUs;
   bool failsafe, lost, pulseless;
-  std::array<uint16_t, Curves::Channels> channels;  // raw values
+  std::array<uint16_t, 32> channels;  // raw values
+  size_t count;                       // of channels
 };
 
 // The whole line's.
@@ -82,6 +84,7 @@ class FlightLog {
   FlightCounts _counts{};
   DetectedVariant _variant;
   FlagSpans _flags;
+  Jumps _jumps;
   FrameRate _rate;
   std::map<uint64_t, FlightSecond> _seconds;
   Curves _curves;

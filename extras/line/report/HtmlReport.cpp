@@ -130,7 +130,7 @@ std::string spans(const FlightLog &flight, const SpanName &listed) {
                      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
   for (const FlagSpan &span : longest(all, SpansMost)) {
     text +=
-        "<tr>" + cell(timeText(flight.shownUs(span.fromUs))) + cell(format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
+        "<tr>" + cell(timeText(flight.shownUs(span.fromUs))) + cell(span.channels != 0 ? jumpedText(span) : format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
   }
   return text + "</table></section>\n";
 }

@@ -50,8 +50,7 @@ class ObservedFlight {
     const Values &newest = _observer.newest();
     if (stretch.isFrame()) {
       FlightFrame frame{stretch.kind, stretch.characters.back().value, stretch.endUs(), stretch.lateUs(),
-                        _observer.inFailsafe(), newest.lostFrame, newest.hasNoPulses(), {}};
-      std::copy_n(newest.raw.begin(), frame.channels.size(), frame.channels.begin());
+                        _observer.inFailsafe(), newest.lostFrame, newest.hasNoPulses(), newest.raw, newest.count};
       _log.put(frame);
     }
   }

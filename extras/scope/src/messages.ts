@@ -96,7 +96,7 @@ export interface Flight {
   framesPerSecond: number;
   discardedBytes: number;
   characterErrors: number;
-  spans: { count: number; us: number; longest: [number, number][] }[]; // by FlightKind; the longest: from, to, in us
+  spans: { count: number; us: number; longest: [number, number, string][] }[]; // by FlightKind; the longest: from, to, in us; which channels
   worst: FlightPart[]; // seconds, the worst first
   strip: FlightPart[];
 }

@@ -36,7 +36,8 @@ std::string json(const std::vector<line::FlagSpan> &spans) {
   std::string text = line::format("{\"count\":%zu,\"us\":%llu,\"longest\":[", spans.size(), number(sumUs(spans)));
   const std::vector<line::FlagSpan> shown = longest(spans, SpansMost);
   for (const line::FlagSpan &span : shown) {
-    text += line::format("%s[%llu,%llu]", &span == &shown[0] ? "" : ",", number(span.fromUs), number(span.toUs));
+    text += line::format("%s[%llu,%llu,\"%s\"]", &span == &shown[0] ? "" : ",", number(span.fromUs), number(span.toUs),
+                         jumpedText(span).c_str());
   }
   return text + "]}";
 }
@@ -82,8 +83,8 @@ EXPORT(flightRecords)(unsigned size)->void {
       line::FlightFrame frame{static_cast<line::Stretch::Kind>(record->kind), record->bytes[record->size - 1],
                               static_cast<uint64_t>(record->endUs), static_cast<uint32_t>(record->lateUs),
                               (record->flags & sbus::FlagFailsafe) != 0, (record->flags & sbus::FlagLostFrame) != 0,
-                              (record->flags & FlagNoPulses) != 0, {}};
-      std::transform(record->channels, record->channels + frame.channels.size(), frame.channels.begin(),
+                              (record->flags & FlagNoPulses) != 0, {}, record->channelCount};
+      std::transform(record->channels, record->channels + record->channelCount, frame.channels.begin(),
                      [](double raw) { return static_cast<uint16_t>(raw); });
       growing->put(frame);
     }

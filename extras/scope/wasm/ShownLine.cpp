@@ -172,6 +172,7 @@ bool ShownLine::happens(uint64_t nowUs) {
     moment.values[line::Moment::State] = static_cast<double>(state(nowUs));
     moment.values[line::Moment::Failsafe] = rows.failsafe();
     moment.values[line::Moment::NoPulses] = 0;
+    moment.values[line::Moment::Jump] = 0;
     moment.values[line::Moment::LostFrame] = rows.lostFrame();
   }
   const bool before = std::exchange(_holds, _condition->holds(moment));

@@ -6,8 +6,8 @@ import { byId, make, setText } from '../dom';
 import { Fault, faultNames, type Flight, type FlightPart } from '../messages';
 import type { RecordingSource } from '../source/recording';
 
-const kinds = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];
-const nameOf = (kind: FlightKind): string => faultNames[Fault[FlightKind[kind] as keyof typeof Fault]];
+const kinds = [FlightKind.Failsafe, FlightKind.NoPulses, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Jump, FlightKind.Late];
+const nameOf = (kind: FlightKind): string => kind === FlightKind.Jump ? 'jumps' : faultNames[Fault[FlightKind[kind] as keyof typeof Fault]];
 const shownUs = 2000; // after a frame it is seen
 
 const seconds = (us: number): string => `${(us / 1e6).toFixed(3)} s`;
@@ -55,7 +55,7 @@ export class ReportView {
         const more = count > longest.length ? `; the ${longest.length} longest` : '';
         return listOf(
           `${nameOf(kind).replace(/^./, (first) => first.toUpperCase())}: ${count} ${count === 1 ? 'time' : 'times'}, ${seconds(us)} in all${more}`,
-          longest.map(([fromUs, toUs]) => [fromUs, fromUs + shownUs, seconds(toUs - fromUs)]),
+          longest.map(([fromUs, toUs, channels]) => [fromUs, fromUs + shownUs, channels || seconds(toUs - fromUs)]),
           this.visit,
         );
       }),

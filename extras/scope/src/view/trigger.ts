@@ -13,7 +13,7 @@ import type { Curves } from './curves';
 import type { FramesView } from './frames';
 
 const key = 'trigger';
-const help = 'ch5 > 1500, in raw, us or %; failsafe, nopulses, lostframe, rejected, lossy, stale, age > 50 ms, quality < 80; with &&, ||, !.';
+const help = 'ch5 > 1500, in raw, us or %; failsafe, nopulses, lostframe, rejected, jump, lossy, stale, age > 50 ms, quality < 80; with &&, ||, !.';
 
 export class TriggerView {
   private readonly panel = byId<HTMLFormElement>('trigger');

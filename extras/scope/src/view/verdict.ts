@@ -22,7 +22,9 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.Channels24]: 'note',
   [Finding.PolledTooSeldom]: 'warning',
   [Finding.InterruptsOff]: 'warning',
+  [Finding.UnusedFlags]: 'warning',
   [Finding.Noise]: 'warning',
+  [Finding.LostInTurn]: 'warning',
   [Finding.Lossy]: 'warning',
   [Finding.LongPeriod]: 'warning',
 };
