@@ -32,7 +32,7 @@ class Jumps {
     for (size_t i = 0; areSame && i < frame.count; i++) {
       const int there = _newest.raw[i] - _before.raw[i], back = _newest.raw[i] - frame.raw[i];
       const int jump = std::min(std::abs(there), std::abs(back));
-      if (static_cast<uint64_t>(jump) >= least(us - _before.us) && (there > 0) == (back > 0) && 2 * std::abs(there - back) <= jump) {
+      if (static_cast<uint64_t>(jump) >= least(us - _before.us) && 2 * std::abs(there - back) <= jump) {
         jumped |= uint32_t{1} << i;
       }
     }

@@ -138,6 +138,7 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
       {"packets of another protocol, with the last setting", {Noise, Noise, Noise.of(Finding::IBus)}, Finding::IBus, 0},
       {"frames of S.Bus come before another protocol", {Good.of(Finding::Sumd)}, Finding::AllWell, 0},
       {"DBUS comes before a wrong idle level", {Noise.of(Finding::IdleLevel), Noise.of(Finding::Dbus)}, Finding::Dbus, 0},
+      {"and before packets of one length", {Noise.of(Finding::Dbus), Noise.of(Finding::WrongPackets)}, Finding::Dbus, 0},
       {"a wrong idle level", {Noise.of(Finding::IdleLevel), Noise}, Finding::IdleLevel, 0},
       {"which only another setting shows", {Noise, Noise, Noise.of(Finding::IdleLevel)}, Finding::NoFrames, 0},
       {"and packets of one length",
