@@ -12,19 +12,21 @@ const lines = 60;
 const seed = Number(process.env.SEED ?? 4202);
 const sbus = (...options) => execFileSync(process.env.SCOPE_SBUS, options, { encoding: 'utf8' });
 
-// A flight of some seconds: with losses, spans of failsafe, silences, damaged bytes and a PC that is late, each in some of them.
+// A flight of some seconds: with losses, spans of failsafe, silences, damaged bytes, jumps and a PC that is late, each in some of them.
 function flight(random) {
   const chance = (part) => random() < part;
   const period = [7000, 9000, 14000][Math.floor(3 * random())];
   const lost = chance(0.3) ? 0 : random() ** 4;
-  const [failsafes, silences, damages, lates] = [0.004, 0.002, 0.01, 0.002].map((part) => (chance(0.5) ? part * random() : 0));
+  const [failsafes, silences, damages, lates, jumps] = [0.004, 0.002, 0.01, 0.002, 0.01].map((part) => (chance(0.5) ? part * random() : 0));
   const isPort = chance(0.3);
   let text = chance(0.3) ? '# format 1, began 2026-11-24T15:16:18.000000Z\n' : '';
   let failsafe = 0;
+  let stick = 992;
   let us = Math.floor(1e6 * random()); // sbus remarks on two silent seconds
   for (const endUs = us + 2e6 + 2e7 * random(); us < endUs; us += period) {
     failsafe = failsafe > 0 ? failsafe - 1 : chance(failsafes) ? Math.floor(300 * random()) : 0;
-    const bytes = frame([Math.floor(2048 * random()), 992], { flags: (chance(lost) ? 4 : 0) + (failsafe > 0 ? 8 : 0) });
+    stick = Math.min(1811, Math.max(172, stick + Math.floor(41 * random()) - 20));
+    const bytes = frame([chance(jumps) ? Math.floor(2048 * random()) : stick, 992], { flags: (chance(lost) ? 4 : 0) + (failsafe > 0 ? 8 : 0) });
     if (chance(damages)) {
       bytes.splice(Math.floor(25 * random()), 1);
     }
