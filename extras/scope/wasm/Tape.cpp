@@ -114,7 +114,8 @@ std::string finishCapture() {
   if (failure.empty()) {
     settings = capture->settings();
     tape = std::move(capture->recording);
-    head.note = capture->wire().note();
+    const std::string note = capture->wire().note();
+    head.note += (head.note.empty() || note.empty() ? "" : ", ") + note;
   }
   return failure;
 }
