@@ -355,7 +355,8 @@ class DecodeSBusOf : protected Polling {
       return;
     }
     const unsigned bytes = static_cast<unsigned>(found);
-    if (_port.mayHaveLostOldest(bytes)) {
+    // (A sensor's port also sends, which an SBusPin cannot.)
+    if ((!Events::wantsTimes() && _port.hasLost()) || _port.mayHaveLostOldest(bytes)) {
       _finder.bytesLost();  // the bytes that wait stand after the loss
     }
     int split = 0;

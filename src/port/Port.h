@@ -90,15 +90,17 @@ class Port : private CoreKind::Pins {
   // Returns true if a full buffer loses the newest byte, false if the oldest.
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
 
-  // Returns true if bytes may have been lost before the `waiting` ones.
-  bool mayHaveLostOldest(unsigned waiting) const {
+  // Returns true if an SBusPin has lost characters before those that wait, once for each loss.
+  bool hasLost() {
 #if defined(SBUS_PIN)
-    if (pinHasLost != nullptr && pinHasLost(_stream)) {
-      return true;
-    }
+    return pinHasLost != nullptr && pinHasLost(_stream);
+#else
+    return false;
 #endif
-    return !losesNewest() && waiting + Late > 2u * _half;
   }
+
+  // Returns true if bytes may have been lost before the `waiting` ones.
+  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + Late > 2u * _half; }
 
   // Returns for how many characters the port waits for more before it hands over less than a burst, or seems to wait,
   // as the clock counts.

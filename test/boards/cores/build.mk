@@ -187,7 +187,7 @@ $(OUT)/$1/README.o: $(OUT)/README.cpp
 $(OUT)/$1/on%Pins.o: $(ROOT)/examples/Diagnose/Diagnose.ino $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	(echo '#define SBUS_UART SBUS_PORT$$(if $$(filter Given,$$*),$$(comma) PINS_GIVEN)'; echo '#include <DecodeSBus.h>'; \
-	  echo '#include <SBusUart.h>'; echo '#include <sbus/Diagnosis.h>'; echo 'namespace on$$*Pins {'; \
+	  echo '#include <SBusUart.h>'; echo '#include <DecodeSBusDiagnosis.h>'; echo 'namespace on$$*Pins {'; \
 	  $(call with_its_ports,$1) $$<; echo '}') >$$(@:.o=.cpp)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -include Arduino.h -c $$(@:.o=.cpp) -o $$@
 $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
