@@ -181,11 +181,6 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
   /// Returns the frame (25 bytes) that they completed, or nullptr.
   const uint8_t *received(int count, int waiting) {
     _buffer.received(count);
-    if (!LineTiming::ClockRuns && _lossFollows) {
-      lost(_counters.shortfalls);
-      _lossFollows = waiting > 0;
-      return nullptr;
-    }
     return _buffer.filled() < Format::Size && _buffer.isHeader(0) ? nullptr : search(waiting);
   }
 
@@ -310,7 +305,7 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
     const int filled = _buffer.filled();
     const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
     if (_timing.template foundTooFew<Format>(_found, missing, _counters.period, _sizeCheck.isStretched())) {
-      if (static_cast<int>(_found) >= missing) {
+      if (LineTiming::ClockRuns && static_cast<int>(_found) >= missing) {
         _lossFollows = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
       } else if (isLateOnly()) {
         _sizeCheck.stretchedFrame();
@@ -542,7 +537,7 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
   uint8_t _rejected;   // headers rejected in this poll
   uint8_t _unread;     // bytes that waited at the newest poll, and were not read; 0: none
   uint16_t _found;     // bytes that this poll has found
-  bool _lossFollows;   // bytes were lost after those that this poll found; on an AVR, between them, perhaps many times
+  bool _lossFollows;   // bytes were lost after those that this poll found
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
   FrameSizeCheck<Format> _sizeCheck;
   LineTiming _timing;

@@ -131,11 +131,11 @@ class LineTiming {
     const unsigned most = isStretched ? handedOver * MostStretched + _idleCharacters + Gap : inTime<Format>(handedOver);
     const unsigned enough = most * _characterTime;
     unsigned late = capped(_lastPoll - _pollBefore);
-    if (late <= enough) {
+    if (late <= enough || (!ClockRuns && found >= missing)) {
       return false;
     }
     late -= enough;
-    for (int whole = missing; whole <= found; whole += Format::Size) {
+    for (int whole = missing; ClockRuns && whole <= found; whole += Format::Size) {
       if (late <= period) {
         return false;
       }
