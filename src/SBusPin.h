@@ -8,10 +8,10 @@
 #include "port/PortKind.h"
 
 #if !defined(SBUS_PIN)
-#error "SBusPin needs an ATmega328P, 168, 2560 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
+#error "SBusPin needs an ATmega328P, 168 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
 #else
 
-/// A port that receives an S.Bus line on a pin: Uno R3, Nano, Pro Mini 7; Mega 5; ATmega1284P 3 (PB3).
+/// A port that receives an S.Bus line on a pin: Uno R3, Nano, Pro Mini 7; ATmega1284P 3 (PB3).
 ///
 ///     SBusPin pin;
 ///     DecodeSBus dSBus(pin);

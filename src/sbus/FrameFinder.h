@@ -9,7 +9,6 @@
 #include "Frame.h"
 #include "FrameBuffer.h"
 #include "FrameRules.h"
-#include "LateFrames.h"
 #include "LineTiming.h"
 #include "Slots.h"
 
@@ -67,7 +66,7 @@ struct NoEvents {
 /// Call all methods from the context that reads the port. Only frame() and the methods below it may also be called from
 /// a context that received() interrupts (extras/docs/interrupts.md).
 template <typename Format, typename Events = NoEvents>
-class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns> {
+class FrameFinderOf : private Events {
  public:
   /// Starts like reset() at the time 0, for 100000 baud.
   FrameFinderOf() { reset(0, CharacterTime, MostIdleCharacters); }
@@ -115,9 +114,6 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
       checkFound();
     }
     _sizeCheck.characters(found);
-    if (_buffer.filled() == 0 || _buffer.gapAt() == _buffer.filled()) {
-      Late::beganAfter(_timing.pollBefore());
-    }
   }
 
   /// Likewise, for a port that tells when the line was idle. `fromCallback`: the port has just handed the bytes over
@@ -213,8 +209,6 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
   const Counters &counters() const { return _counters; }
 
  private:
-  using Late = LateFrames<!LineTiming::ClockRuns>;
-
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
   static constexpr int JudgedWorth = 4;            // a header that judge() rejects costs as much as four without an end
   static constexpr int FarOff = FrameSize24 + 1;   // characters: the most that _expectedAt counts
@@ -340,24 +334,10 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
 
   const uint8_t *search(int waiting) {
     const bool isFrame =
-        (rules::isExactlyNext<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) &&
-         !mayBeJoined(waiting)) ||
+        rules::isExactlyNext<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) ||
         scan(waiting);
     noteEnd(waiting);
     return isFrame ? deliver() : nullptr;
-  }
-
-  // Returns true if the frame that the buffer begins with may consist of parts of several, because an AVR's interrupts may
-  // have been off many times.
-  bool mayBeJoined(int waiting) const {
-    const int count = _buffer.filled() + waiting;
-    return Late::mayBeJoined(_timing.lastPoll(), _timing.timeOf(count), count < 2 * Size ? 1 : 2, _counters.period);
-  }
-
-  // Notes that a frame of the line's variant has come before the bytes that are left.
-  void expectNext() {
-    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
-    Late::beganAfter(_timing.pollBefore());
   }
 
   // Returns true if a frame is complete.
@@ -366,14 +346,6 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
     bool found = find();
     if (Format::HasExtra && found && _buffer[0] == ExtraHeader) {
       takeExtra(waiting);
-      found = false;
-    }
-    if (_buffer.bytes() != beginning && _buffer.filled() + waiting <= static_cast<int>(_found)) {
-      Late::beganAfter(_timing.pollBefore());
-    }
-    if (found && mayBeJoined(waiting) && Late::mustWait(_expectedAt == 0)) {
-      discard(Size);
-      expectNext();
       found = false;
     }
     _buffer.moveTo(beginning);
@@ -506,7 +478,7 @@ class FrameFinderOf : private Events, private LateFrames<!LineTiming::ClockRuns>
       const bool hasMissed = _expectedAt < -rules::MostNoise;  // then it is two periods or more
       _counters.measure(static_cast<uint32_t>(static_cast<int32_t>(interval) >> (hasMissed ? 1 : 0)));
     }
-    expectNext();
+    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
     _counters.count(Format::flags(frame));
     _frameTime = _completeAfter;
     _takenBy = _completeBy;

@@ -97,9 +97,6 @@ class LineTiming {
     return us > most ? us - most : 0;
   }
 
-  /// Returns the time that `count` characters take, us.
-  uint32_t timeOf(int count) const { return static_cast<unsigned>(count) * _characterTime; }
-
   /// Returns the longest silence(), in us, that is no gap.
   uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "AvrBoard.h"
 #include "Expected.h"
@@ -54,38 +53,5 @@ TEST_CASE("interrupts off for 9.3 to 9.56 ms, a period and three characters, joi
     CHECK(last[1] > 4500);
     CHECK(last[2] * 30 < last[0]);
     CHECK(board.mistakes().find("characters were not read in time") != std::string::npos);
-  }
-}
-
-TEST_CASE("many stops of interrupts, as those of SoftwareSerial and of an LED strip, join no parts of frames") {
-  struct Run {
-    const char *as;
-    uint16_t stopUs, openUs, count, periodMs;
-  };
-  const Run runs[] = {
-      {"SoftwareSerial, 10 characters at 9600 baud in each loop()", 1042, 6, 10, 0},
-      {"SoftwareSerial, 20 characters in each loop()", 1042, 6, 20, 0},
-      {"SoftwareSerial, 5 characters in each loop()", 1042, 6, 5, 0},
-      {"SoftwareSerial, 10 characters each 20 ms", 1042, 6, 10, 20},
-      {"SoftwareSerial, 50 characters each 100 ms", 1042, 6, 50, 100},
-      {"a strip of 16 LEDs in each loop()", 480, 300, 1, 0},
-      {"a strip of 60 LEDs in each loop()", 1800, 300, 1, 0},
-      {"a strip of 180 LEDs in each loop()", 5400, 300, 1, 0},
-      {"in step with the line", 900, 100, 9, 0},
-  };
-  for (const Run &run : runs) {
-    CAPTURE(run.as);
-    avr::Line line;
-    line.source = std::make_unique<EqualChannels>();
-    std::vector<uint8_t> eeprom;
-    for (const uint16_t number : {run.stopUs, run.openUs, run.count, run.periodMs}) {
-      eeprom.push_back(static_cast<uint8_t>(number));
-      eeprom.push_back(static_cast<uint8_t>(number >> 8));
-    }
-    const AvrBoard board(avr::Mega, "ManyStops", std::move(line), 12, eeprom);
-    MESSAGE(std::string(run.as), ": frames, wrong: ", board.printed().back().text);
-    const avr::Numbers last = avr::numbersIn(board.printed().back().text);
-    REQUIRE(last.size() == 2);
-    CHECK(last[1] == 0);
   }
 }
