@@ -193,7 +193,8 @@ def main():
         with open(f"{WORK}/a.bin", "wb") as file:
             file.write(data)
         for tool in TOOLS:
-            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "od -v -x {}")  # to whole words
+            # To whole words; xxd -e sets the rest of a word apart, as if it were text, and that frame is incomplete.
+            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "od -v -x {}") or "xxd -e" in tool and len(data) % 4 != 0
             if shutil.which(tool.split()[0]) and not isPadded:
                 ways[f"{tool.format('FILE')} of {name}"] = subprocess.run(tool.format("a.bin"), shell=True, cwd=WORK, capture_output=True, text=True, encoding="latin-1").stdout
     good = 0

@@ -111,7 +111,7 @@ verdict $? "an empty SOURCE is rejected"
 rejected() {
   message=$1
   shift
-  case $message in *' lists them' | *' lists what it takes') wanted=2 ;; "sbus $1: "*) wanted=1 ;; *) wanted=2 ;; esac
+  case $message in *' lists them' | *' lists what it takes' | *' was withdrawn; '*) wanted=2 ;; "sbus $1: "*) wanted=1 ;; *) wanted=2 ;; esac
   timeout 60 "$sbus" "$@" >"$work/out" 2>"$work/err" </dev/null
   [ $? -eq $wanted ] && grep -v 'Ctrl-C ends it$' "$work/err" | sed -n 1p | grep -qxFe "$message" || { cat "$work/err"; false; }
   verdict $? "rejects: $*"

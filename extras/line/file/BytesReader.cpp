@@ -33,11 +33,13 @@ Evidence BytesReader::Found::evidence() const {
 BytesReader::BytesReader(std::string_view head, bool isText, const LineSettings &settings)
     : _isText(isText), _characterUs(settings.characterUs()), _text(isText ? head : std::string_view(), head.size() < FileHeadMax), _isLong(head.size() >= FileHeadMax) {
   examine(head);
-  if (_evidence != Evidence::Good && _text.hasOffsets()) {
+  if (_text.hasOffsets()) {  // read with each word's bytes in the other order, more of them may be in frames
+    const size_t taken = _found.taken;
     _text.swapWords();
     examine(head);
-    if (_evidence != Evidence::Good) {
+    if (_found.taken <= taken) {
       _text.swapWords();
+      examine(head);
     }
   }
   if (_evidence != Evidence::Good && isText) {  // then each line must be bytes
