@@ -121,11 +121,11 @@ done
 cat "$work/head.words" "$work/tail.words" "$work/both.words" >"$work/text"
 cat >"$work/wanted" <<'END'
 2.001 s long
-No frames 1 time, 1.0 s in all, at the beginning; 0.00 % of the frames lost.
+No frames 1 time, longest 1.0 s, at the beginning; 0.00 % of the frames lost.
 1.986 s long
-No frames 1 time, 1.0 s in all, at the end; 0.00 % of the frames lost.
+No frames 1 time, longest 1.0 s, at the end; 0.00 % of the frames lost.
 2.997 s long
-No frames 2 times, 2.0 s in all, at the beginning and at the end; 0.00 % of the frames lost.
+No frames 2 times, longest 1.0 s, at the beginning and at the end; 0.00 % of the frames lost.
 END
 diff "$work/wanted" "$work/text" && "$SBUS" summary "$work/head.txt" | grep -A 1 '^no frames    1 time, 1.011 s in all' | grep -q ' 0.000 s to *1.011 s' &&
   "$SBUS" summary "$work/tail.txt" | grep -q '^finding      No frames at the end: for the last 0.9[89][0-9] s bytes come, but no frame.$'
@@ -185,7 +185,7 @@ verdict $? "--from of a file reports no silence"
 awk 'BEGIN { for (i = 0; i < 400; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%s992,992,992,992,992,992,992,992,992,992,992,992]}\n", 9000 * i + 4000, (i >= 200 && i < 311 ? "0,0,0,0," : "992,992,172,992,") }' >"$work/pulses.json"
 "$SBUS" summary "$work/pulses.json" >"$work/out" && grep -A 1 '^no pulses' "$work/out" | paste -sd ' ' | grep -qx 'no pulses    1 time, 0.999 s in all          1.804 s to      2.803 s      0.999 s' &&
   "$SBUS" summary "$work/pulses.json" --json | grep -qx '{"type":"span","kind":"no_pulses","from_us":1804000,"to_us":2803000}' &&
-  "$SBUS" summary "$work/pulses.json" -o - | grep -q 'No pulses (0 on CH1 to CH4, without a flag) 1 time, 1.0 s in all' || { cat "$work/out"; false; }
+  "$SBUS" summary "$work/pulses.json" -o - | grep -q 'No pulses (0 on CH1 to CH4, without a flag) 1 time, longest 1.0 s' || { cat "$work/out"; false; }
 verdict $? "summary lists 0 on CH1 to CH4 without a flag: $(grep -A 1 '^no pulses' "$work/out" | tr -s ' ')"
 (cd "$work" && "$SBUS" watch pulses.json --when nopulses -o pulses --before 0 --after 0 --json) >"$work/out" 2>"$work/err"
 [ "$(sed -n 's/.*"event","time_us":\([0-9]*\).*"kind":"\([a-z]*\)".*/\1 \2/p' "$work/out" | paste -sd ,)" = "1804000 begin,2803000 end" ] || { cat "$work/out" "$work/err"; false; }
