@@ -13,7 +13,7 @@
 namespace line {
 
 // What frames say of the bytes that they are found in. Numbers look like a frame by chance, here and there: it is as
-// long as one, its first byte is 0F and its last one 00. Weak: these frames are nobody's.
+// long as one, its first byte is 0F and its last one 00. Weak: no receiver sent these frames.
 enum class Evidence { None, Weak, Good };
 
 class BytesReader : public LineReader {
@@ -25,7 +25,7 @@ class BytesReader : public LineReader {
   std::string finish(std::deque<Character> &characters) override;
   bool takesBytes() const override { return !_isText; }
 
-  // Returns false if frames would be nobody's: the head has some by chance, or none though it is long.
+  // Returns false if no receiver sent the frames: the head has some by chance, or none though it is long.
   bool mayBeLine() const { return _evidence == Evidence::Good || (_evidence == Evidence::None && !_isLong); }
 
   // Returns why it may not, and what is expected.

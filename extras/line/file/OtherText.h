@@ -6,7 +6,7 @@
 
 namespace line {
 
-// Returns what a text is, and which command gives what is read; nothing for any other text.
+// Returns what a text is, and which command exports its bytes; nothing for any other text.
 std::string whatText(std::string_view begin);
 
 }  // namespace line
