@@ -154,7 +154,7 @@ TEST_CASE("a long file without a frame at its beginning is no line, and raw fram
   }
   CHECK(framesIn(bytesOf("\r\n")) == sent);
   sent.resize(1);
-  for (const size_t count : {1, 5, 15}) {  // a single frame, as one is posted
+  for (const size_t count : {size_t{1}, size_t{5}, size_t{15}}) {  // a single frame, as one is posted
     CHECK(framesIn(bytesOf("") + std::string(count, '\0')) == sent);
   }
 }

@@ -122,7 +122,7 @@ TEST_CASE("a packet of another length, a wrong byte or a frame breaks the row; g
 TEST_CASE("a noisy line that loses bytes is no row of packets of one length") {
   std::mt19937 random(Seed);
   CAPTURE(Seed);
-  for (const unsigned one : {300, 50, 12}) {
+  for (const unsigned one : {300u, 50u, 12u}) {
     CAPTURE(one);
     const PacketShape shape = shapeOf(20000, [&](unsigned) {
       Bytes bytes;
