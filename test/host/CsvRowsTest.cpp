@@ -150,8 +150,11 @@ TEST_CASE("the columns of a row are channels, flags or switches, by their names 
       {"CH1,CH2,CH3,CH4,CH5,CH6\n1,2,3,4,0,1\n", 5, CsvKind::Channel},
       {"a:1,failsafe:1\n", 1, CsvKind::Failsafe},
       {"a:1,b:2,c:3,d:4,e:0,f:1\n", 5, CsvKind::Channel},
-      {"switch17:1,switch18:0\n", 0, CsvKind::Switch17},
-      {"switch17:1,switch18:0\n", 1, CsvKind::Switch18},
+      {"CH17:1,CH18:0\n", 0, CsvKind::Switch17},
+      {"CH17:1,CH18:0\n", 1, CsvKind::Switch18},
+      {"CH1,CH17,CH18\n5,0,1\n", 2, CsvKind::Switch18},
+      {"CH16,CH17,CH18,CH19\n5,6,7,8\n", 1, CsvKind::Channel},  // of 24 channels
+      {"CH17:5,CH18:6,CH19:7\n", 1, CsvKind::Channel},
   };
   for (const auto &each : cases) {
     CAPTURE(each.text);

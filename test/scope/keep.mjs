@@ -96,7 +96,7 @@ export default async function () {
     await counts(page, 'rows', 3);
     const { text } = await downloaded(page, '#csv');
     const [header, ...lines] = text.trim().split('\n');
-    assert.equal(header, 'time,CH1,CH2,CH3,CH4,switch17,switch18,failsafe,lostframe');
+    assert.equal(header, 'time,CH1,CH2,CH3,CH4,CH17,CH18,failsafe,lostframe');
     assert.deepEqual(lines.map((line) => line.split(',').slice(1, 5).join(',')), rows);
     const { path: recording } = await downloaded(page, '#record');
     await playToEnd(page, recording);

@@ -172,6 +172,29 @@ export default async function () {
     await until('the bytes go on', async () => (await page.textContent('#lines')) !== lines);
   });
 
+  await check('an adapter that stalls for half a second, and then hands all over, fires no condition of silence; a silent line does', async (page) => {
+    await connect(page);
+    await page.evaluate((bytes) => (fake.timer = fake.every(9, bytes)), frame([1000]));
+    await reads(page, '#state', 'Fine');
+    await page.waitForTimeout(1500); // the pace of a line is known after half a second
+    await set(page, 'age > 150 ms');
+    await page.click('#trigger-arm');
+    await page.evaluate(() => {
+      const feed = fake.port.feed.bind(fake.port);
+      const held = [];
+      fake.port.feed = (packet) => held.push(...packet) > 0;
+      setTimeout(() => {
+        fake.port.feed = feed;
+        feed(held);
+      }, 500);
+    });
+    await reads(page, '#trigger-text', /^Event at [\d.]+ s; the picture is filling\.$/);
+    await reads(page, '#trigger-text', 'Armed.');
+    assert.equal(await page.getAttribute('#trigger-arm', 'aria-pressed'), 'true');
+    await page.evaluate(() => clearInterval(fake.timer));
+    await reads(page, '#trigger-text', /^Event at [\d.]+ s\.$/);
+  });
+
   await check('an event of more than five minutes ago, while the page was in the background, is said', async (page) => {
     await opensWith(page, [frame([1000]), frame([1000])]);
     await connect(page);

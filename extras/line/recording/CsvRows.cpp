@@ -40,11 +40,10 @@ constexpr struct {
   CsvKind kind;
 } Names[] = {{"failsafe", CsvKind::Failsafe},
              {"lostframe", CsvKind::LostFrame},
-             {"switch17", CsvKind::Switch17},
-             {"switch18", CsvKind::Switch18}};
+             {"ch17", CsvKind::Switch17},
+             {"ch18", CsvKind::Switch18}};
 
-CsvKind kindOf(const std::string &text) {
-  const std::string name = lower(text);
+CsvKind kindOf(const std::string &name) {
   const auto *const known =
       std::find_if(std::begin(Names), std::end(Names), [&](const auto &each) { return name == each.name; });
   return known == std::end(Names) ? CsvKind::Channel : known->kind;
@@ -104,11 +103,14 @@ bool CsvRows::put(uint8_t byte) {
 
 CsvKind CsvRows::kind(size_t column) const {
   const size_t columns = _row.size();
-  if (!_row[column].name.empty()) {
-    return kindOf(_row[column].name);
-  }
-  if (_names.size() == columns) {
-    return kindOf(_names[column].text);
+  const bool isNamed = !_row[column].name.empty();
+  if (isNamed || _names.size() == columns) {
+    const auto nameOf = [isNamed](const CsvField &field) { return lower(isNamed ? field.name : field.text); };
+    const CsvRow &names = isNamed ? _row : _names;
+    const CsvKind kind = kindOf(nameOf(names[column]));
+    const bool isSwitch = kind == CsvKind::Switch17 || kind == CsvKind::Switch18;
+    const auto isCh19 = [&](const CsvField &field) { return nameOf(field) == "ch19"; };  // then these two are channels
+    return isSwitch && std::any_of(names.begin(), names.end(), isCh19) ? CsvKind::Channel : kind;
   }
   if (!_hasFlags || !mayHaveFlags(columns) || column + 2 < columns) {
     return CsvKind::Channel;

@@ -7,6 +7,7 @@ import type { Picture } from './messages';
 export interface Stretch {
   beginUs: number; // of its first start bit
   endUs: number;
+  lateUs: number; // it may have come this much earlier
   kind: Kind;
   flags: number;
   state: LinkState; // of the link to show, at its end
@@ -157,9 +158,9 @@ export class Native {
   }
 
   private stretch(record: RecordReader): Stretch {
-    const { beginUs, endUs, kind, flags, state } = record;
+    const { beginUs, endUs, lateUs, kind, flags, state } = record;
     return {
-      beginUs, endUs, kind, flags, state,
+      beginUs, endUs, lateUs, kind, flags, state,
       channels: record.channels.slice(0, record.channelCount),
       readings: record.readings.slice(0, record.readingCount),
       bytes: record.bytes.slice(0, record.size),

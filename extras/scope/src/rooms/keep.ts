@@ -1,6 +1,5 @@
 // What the user keeps of a line: a recording of it in the project's format, or its values as CSV.
 
-import { Kind } from '../border';
 import { clock, shownSeconds } from '../clock';
 import { byId, download, setText } from '../dom';
 import type { History } from '../history';
@@ -81,14 +80,14 @@ export function keepRoom(choice: Choice<Source>, line: LineRoom): Room {
     }
   });
   addEventListener('beforeunload', (event) => recorder.on && event.preventDefault());
-  byId('csv').addEventListener('click', () => saveCsv(line.history, line.newest?.channels.length ?? 16, line.newest?.kind === Kind.Row));
+  byId('csv').addEventListener('click', () => saveCsv(line.history, line.newest?.channels.length ?? 16));
   return { views: { 'The recorder': draw }, leave: () => recorder.end() };
 }
 
-// Saves all that the history holds, of which the file's name has begin and end, with the names that `sbus csv` writes and reads; of a board's rows, with those of a sketch.
-function saveCsv(history: History, channels: number, isBoard: boolean): void {
+// Saves all that the history holds, of which the file's name has begin and end, with the names that `sbus csv` writes and reads.
+function saveCsv(history: History, channels: number): void {
   const numbers = Array.from({ length: channels }, (_, i) => i);
-  const switches = isBoard ? ['switch17', 'switch18'] : channels === 16 ? ['CH17', 'CH18'] : channels === 32 ? ['DG1', 'DG2'] : [];
+  const switches = channels <= 16 ? ['CH17', 'CH18'] : channels === 32 ? ['DG1', 'DG2'] : [];
   const lines = [['time', ...numbers.map((i) => `CH${i + 1}`), ...switches, 'failsafe', 'lostframe'].join(',')];
   for (let sample = history.begin; sample < history.end; sample++) {
     const values = numbers.map((i) => {

@@ -13,6 +13,7 @@ import type { Curves } from './curves';
 import type { FramesView } from './frames';
 
 const key = 'trigger';
+const stallUs = 100000; // a read as late as this is the PC's or the adapter's (SilenceUs in extras/line/Silence.h)
 const help = 'ch5 > 1500, in raw, us or %; failsafe, nopulses, lostframe, rejected, jump, lossy, stale, age > 50 ms, quality < 80; with &&, ||, !.';
 
 export class TriggerView {
@@ -22,6 +23,7 @@ export class TriggerView {
   private readonly next = byId('trigger-next');
   private steps?: Uint8Array; // the condition while it is armed
   private eventUs?: number;
+  private isSilent = false; // the event came while the line said nothing
   private readyUs?: number; // when the picture stops; Infinity: once it is full
   private atUs?: number; // of a recording: the position at which the event is shown
   private source?: Source;
@@ -67,7 +69,13 @@ export class TriggerView {
 
   // Takes the next stretch of the line.
   take(stretch: Stretch): void {
+    const { eventUs, readyUs } = this;
+    if (readyUs === Infinity && this.isSilent && stretch.lateUs >= stallUs && stretch.endUs - stretch.lateUs <= Number(eventUs)) {
+      this.readyUs = undefined;
+      this.release(); // the line was not silent: the PC or the adapter held its bytes back
+    }
     if (this.steps && stretch.flags & Flag.Event) {
+      this.isSilent = stretch.kind === Kind.Silence;
       this.fire(stretch.endUs);
     }
   }
