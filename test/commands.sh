@@ -104,7 +104,7 @@ cat >"$copy/bin/make" <<END
 case " \$* " in
   *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/sanitized/sketches' $sanitized ;;
   *" sbus "* | *" install "*) set -- "\$@" BUILD='$BUILD/tool' CXXFLAGS='$(sed -n 's/^flags="\(.*\)".*/\1/p' test/tool/run.sh)' ;;
-  *" scope "*) set -- "\$@" BUILD='$BUILD/scope' ;;
+  *" scope "* | *extras/scope*) set -- "\$@" BUILD='$BUILD/scope' ;;
   *) set -- "\$@" BUILD='$BUILD' ;;
 esac
 exec '$(command -v make)' --no-print-directory "\$@"
@@ -130,6 +130,11 @@ check "^removed '.*/a place/usr/local/bin/sbus'$" '[ -n "$(find "a place" -type 
 check '<title>.*S.Bus' '
   then='"'"'node -e "fetch(process.argv[1]).then((answer) => answer.text()).then(console.log)" "$(grep -o "http://.*/" said)"'"'"'
   until_says http:// make scope SCOPE_PORT=0' 'make scope' 'make scope SCOPE_PORT=8000'
+
+check '^webp light dark$' 'command -v chromium >/dev/null || echo "skipped: there is no chromium here"
+  mkdir pictures && make -C extras/scope picture FOLDER="$PWD/pictures" && for colours in light dark; do
+    size=$(wc -c <"pictures/scope-$colours.webp") && [ "$size" -gt 20000 ] && [ "$size" -lt 60000 ] || exit; done && echo webp light dark' \
+  'make -C extras/scope picture'
 
 check 'simulated FrSky R-XSR, 15 s' "until_says '^([0-9]+,){5}[0-9]' make demo" 'make demo'
 check '^([0-9]+,){5}[0-9]+$' 'then="wait_for test -s curves.csv"

@@ -11,6 +11,7 @@ import sys
 from markdown_it import MarkdownIt
 
 INLINE = re.compile(r"([A-Z_]+=('[^']*'|[^ ]*) )*(make|(sbus|sudo|build/[^ ]*) .+)( |$)")
+PICTURE = re.compile(r'\bsrc(?:set)?="([^"]*)"')
 # What a comment names: `make bench`, or FULL=1 and --baud 200000 of the line's command.
 MORE = re.compile(r"make (?:-C [a-z]+ )?[a-z][a-z-]+|[A-Z_]+=(?:'[^']*'|[^ ,;)]*)|--[a-z-]+(?: [0-9]+)?")
 
@@ -52,6 +53,7 @@ def read(page):
         if before and before.type == "heading_open":
             headings.add(re.sub(r"[^\w -]", "", "".join(child.content for child in token.children)).replace(" ", "-").lower())
         targets += [child.attrs.get("href") or child.attrs["src"] for child in token.children or [] if child.type in ("link_open", "image")]
+        targets += PICTURE.findall(token.content) if token.type == "html_block" else []
         before = token
     return headings, targets
 

@@ -8,10 +8,10 @@ if ! "${MAKE:-make}" --no-print-directory -s -C ../../extras/scope BUILD="$build
   echo "FAILED extras/scope does not build"
   exit
 fi
-if (tests=$PWD && cd "$build/npm" && npm run --silent check -- "$tests"); then
-  echo "ok scope: the linter accepts the page and its tests"
+if (tests=$PWD && cd "$build/npm" && npm run --silent check -- "$tests" "$tests/../../extras/scope/picture.mjs"); then
+  echo "ok scope: the linter accepts the page, its picture and its tests"
 else
-  echo "FAILED scope: the linter accepts the page and its tests"
+  echo "FAILED scope: the linter accepts the page, its picture and its tests"
 fi
 "${MAKE:-make}" --no-print-directory -s -C ../../extras/cli BUILD="$build/cli" || echo "FAILED sbus does not build"
 SCOPE_BUILD="$build" timeout 60 node units.mjs || echo "FAILED scope/units.mjs ended with status $?"
