@@ -44,12 +44,12 @@ struct PolledBySlotTimer : PolledByLoop {
 ///     }
 ///
 /// TX goes to the line through a diode, anode at TX; on a Teensy 4 TX may be the line itself
-/// (extras/docs/telemetry.md). An answer follows only an accepted frame that announces its group, and is never in slot
+/// (extras/docs/answering.md). An answer follows only an accepted frame that announces its group, and is never in slot
 /// 0. It starts within 100 us of its time, and ends before the next frame could begin; otherwise it is skipped. After
 /// begin() the sensor first listens for 17 frames. Nothing else may write to the port.
 ///
 /// On a port that does not show when a frame ended, the sensor never answers, and skippedSlots() grows: any Stream
-/// other than a hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
+/// other than a hardware serial port, and the ports of some cores (extras/docs/answering.md).
 ///
 /// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry hold it off while they run. On an
 /// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt. A function that takes a

@@ -3,7 +3,7 @@
 
   Needs a Futaba receiver with S.BUS2 (R7008SB and others) in a mode that has telemetry: FASSTest 14CH or 18CH, T-FHSS.
   On the radio choose these sensors and slots by hand: SBS-01V in slot 6, CURR-F1678 (or SBS-01C) in slot 24. It was
-  tried only on simulated receivers, not on a Futaba: tell us (extras/docs/telemetry.md).
+  tried only on simulated receivers, not on a Futaba: tell us (extras/docs/answering.md).
 
   Wiring (Tlera Grasshopper, Futaba R7008SB):
     S.BUS2 -> D0 (RX1)
@@ -13,7 +13,7 @@
     the battery, divided by 11 (10 kOhm and 1 kOhm) -> A0
     a current sensor, 0.1 V an ampere               -> A1
 
-  A Teensy 4 can do without diode and RX, with dSBus(Serial1, sbus::SingleWire): extras/docs/telemetry.md.
+  A Teensy 4 can do without diode and RX, with dSBus(Serial1, sbus::SingleWire): extras/docs/answering.md.
 
   Servos belong on the receiver's other outputs. Sends a line over USB once a second: slots sent and skipped since the
   start, and collisions with another sensor.

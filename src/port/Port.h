@@ -48,7 +48,7 @@ class Port : private CoreKind::Pins {
   // From now on open() opens `port` on a single wire, TX's, and always inverted, whatever its format.
   template <typename Class>
   void onSingleWire(Class &) {
-    static_assert(KindOf<Class>::SingleWire != 0, "This port has no single wire: a diode, extras/docs/telemetry.md");
+    static_assert(KindOf<Class>::SingleWire != 0, "This port has no single wire: a diode, extras/docs/answering.md");
     _open = openSingleWire<Class>;
   }
 

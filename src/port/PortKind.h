@@ -135,7 +135,7 @@ Format as(Format, Config config) {
 #if defined(SBUS_TEENSY4)
 // Teensy 4: its interrupt at the end of the last character releases the wire (cores 7f107ee,
 // teensy4/HardwareSerial.cpp:700). The other cores have no half duplex, or cannot do this with it:
-// extras/docs/telemetry.md.
+// extras/docs/answering.md.
 struct Teensy4 : ByFormat {
   static constexpr uint32_t SingleWire = Inverted | SERIAL_HALF_DUPLEX;
 };
