@@ -1,6 +1,6 @@
 #!/bin/sh
 # The core on other platforms: CMake projects take it, and so do stand-ins of ESP-IDF and Zephyr; each runs the code of
-# other-platforms.md on known frames (Receiver.cpp). The manifests are compared with their readers' rules. Says "ok ..." or
+# other-platforms.md on known frames (Receiver.cpp), and Python its class for MicroPython. The manifests are compared with their readers' rules. Says "ok ..." or
 # "FAILED ...".
 # BUILD: an absolute folder for what is built.
 set -u
@@ -20,6 +20,10 @@ rm -rf "$out"
 mkdir -p "$out"
 awk '/^```$/ { inside = 0 } inside; /^```cpp$/ { inside = 1 }' extras/docs/other-platforms.md >"$page"
 /usr/bin/python3 "$here/manifests.py" "$out" || { verdict 1 "the manifests can be read"; exit; }
+
+awk '/^```$/ { inside = 0 } inside; /^```python$/ { inside = 1 }' extras/docs/other-platforms.md >"$out/sbus.py"
+python3 "$here/python.py" "$out" test/recordings/frsky-neutral.txt
+verdict $? "the class for MicroPython reads a recording, and with lost bytes no wrong frame"
 
 # configure PROJECT NAME [OPTIONS]: into the folder NAME
 configure() {
