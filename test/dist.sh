@@ -54,6 +54,14 @@ lacks=$(for file in $listed; do [ -s "$work/deb/$file" ] || echo "$file"; done)
 [ -z "$lacks" ] || echo "$lacks"
 [ -z "$lacks" ] && (cd "$work/deb" && dpkg-deb --ctrl-tarfile "$package" | tar xO ./md5sums | md5sum --check --quiet)
 verdict $? "the package has manual, completion for three shells, and licence"
+# has FILE WORDS...: each in a line of its own
+has() {
+  file=$1
+  shift
+  for words; do grep -qF "$words" "$file" || { echo "$file lacks: $words"; return 1; }; done
+}
+has "$work/deb/usr/share/doc/sbus/copyright" 'DecodeSBus maintainers' 'Henry Schreiner' 'Niels Lohmann'
+verdict $? "... with those of CLI11 and JSON for Modern C++"
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning "$package"
   verdict $? "lintian accepts the package"
@@ -67,9 +75,14 @@ tar xzf "$DIST/$archive.tar.gz" --one-top-level="$work/static" && [ -x "$sbus" ]
   [ -s "$work/static/share/doc/sbus/copyright" ] && [ -s "$work/static/share/man/man1/sbus.1" ] &&
   says "$sbus" >"$work/static.says" && diff "$work/says" "$work/static.says"
 verdict $? "$archive: it needs no library, and says what the package's sbus says"
+has "$work/static/share/doc/sbus/copyright" 'DecodeSBus maintainers' 'Henry Schreiner' 'Niels Lohmann' 'Free Software Foundation' \
+  'to link it with another one: '
+verdict $? "$archive: it has the licences of what is in it, glibc's among them"
 
 # ---- the page
 
+has "$DIST/scope.html" 'Leon Sorokin' 'Niels Lohmann' 'The above copyright notice'
+verdict $? "the page has the licences of what is in it"
 if command -v chromium >/dev/null; then
   npm=$BUILD/scope/npm
   [ -d "$npm/node_modules" ] || npm=$PWD/build/scope/npm

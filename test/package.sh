@@ -133,7 +133,8 @@ released() {
   files=$2
   asked "$1" "${3:-}" "${4:-}" &&
     grep -qx "version=$1" "$scratch/library.properties" && grep -qx "url=$url" "$scratch/library.properties" &&
-    grep -qx "maintainer=$who" "$scratch/library.properties" &&
+    grep -qx "maintainer=$who" "$scratch/library.properties" && grep -qx "author=$who" "$scratch/library.properties" &&
+    grep -qxF '  "authors": [{"name": "Ada O'"'"'Byron", "email": "ada@byron.org", "maintainer": true}],' "$scratch/library.json" &&
     [ "$(grep -c "\"version\": \"$1\",\$" "$scratch/library.json")" -eq 1 ] &&
     [ "$(grep -c "\"homepage\": \"$url\",\$" "$scratch/library.json")" -eq 1 ] &&
     grep -qxF "  \"repository\": {\"type\": \"git\", \"url\": \"$url\"}," "$scratch/library.json" &&
@@ -141,6 +142,7 @@ released() {
     grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
     grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/cli/sbus.1" &&
     [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1$' | sed 's/^ M //' | tr '\n' ' ')" = "$files" ] &&
+    [ "$(grep -c 'gh label create [a-z]' "$out/release")" -eq "$(grep -l '^labels:' "$scratch"/.github/ISSUE_TEMPLATE/*.yml | wc -l)" ] &&
     grep -q 'extras/setup/tags.sh' "$out/release" && grep -q "adds $url to" "$out/release" && grep -q 'pio pkg publish' "$out/release" &&
     grep -q 'compote component upload --namespace somebody --name decodesbus$' "$out/release" || { cat "$out/release"; git diff; false; }
 }
@@ -154,6 +156,11 @@ verdict $? "make release sets version, addresses and dates, and says what is lef
 [ "$(tail -n 6 "$scratch/README.md" | tr '\n' '|')" = "new|[release]($url/releases), [page](https://somebody.github.io/DecodeSBus/)|https://img/release/somebody/DecodeSBus|end|alone|last|" ] &&
   grep -q '\[MIT licence\]' "$scratch/README.md" && ! grep -qE '^ *(<!--|-->)|first release|\.example' "$scratch/README.md"
 verdict $? "README.md then has what holds from the first release on, and no marks"
+
+sh "$scratch/extras/setup/links.sh" >"$out/linked"
+left=$(grep -oE '\]\([^)]*\)|\bsrc(set)?="[^"]*"' "$out/linked" | grep -vE '(\(|")https://') && [ -z "$left" ] && echo "$left"
+grep -qF "]($url/blob/v9.9.9/extras/docs/boards.md#" "$out/linked" && grep -qF "src=\"$url/raw/v9.9.9/extras/docs/" "$out/linked" && [ -z "$left" ]
+verdict $? "for a package without the pages, each of README.md's links leads to the repository"
 
 [ "$(sh "$scratch/extras/setup/notes.sh")" = "- New, on one line." ]
 verdict $? "its notes are the newest section of CHANGELOG.md"

@@ -15,6 +15,7 @@ version=$(sed -n 's/^version=//p' library.properties)
 maintainer=$(sed -n 's/^maintainer=//p' library.properties)
 architecture=$(dpkg --print-architecture)
 homepage=$(sed -n 's/^url=//p' library.properties)
+headers='libcli11-dev nlohmann-json3-dev'
 libraries='libserialport-dev libarchive-dev libncurses-dev nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev'
 zip=$(sh extras/setup/zip.sh)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
@@ -22,29 +23,36 @@ export SOURCE_DATE_EPOCH
 
 run_make() { "${MAKE:-make}" --no-print-directory -s "$@"; }
 
-# Installs this sbus to a folder, as `make install` does, and its licences.
-install_to() {  # SBUS FOLDER PREFIX
+# Installs this sbus to a folder, as `make install` does, and its licence, with those of the packages that are in it.
+install_to() {  # SBUS FOLDER PREFIX PACKAGE...
   run_make install SBUS="$1" DESTDIR="$2" PREFIX="$3" >/dev/null
   mkdir -p "$2$3/share/doc/sbus"
-  cp LICENSE "$2$3/share/doc/sbus/copyright"
+  copyright=$2$3/share/doc/sbus/copyright
+  shift 3
+  {
+    cat LICENSE
+    for package; do
+      printf '\n---- %s\n\n' "$package"
+      cat "/usr/share/doc/$package/copyright"
+    done
+  } >"$copyright"
 }
 
 package_static() {  # SBUS NAME
   folder=$work/$2
-  install_to "$1" "$folder" ''
-  strip "$folder/bin/sbus"
   # shellcheck disable=SC2086  # names, to be split
-  for library in $libraries; do
-    printf '\n---- %s\n\n' "$library"
-    cat "/usr/share/doc/$library/copyright"
-  done >>"$folder/share/doc/sbus/copyright"
+  install_to "$1" "$folder" '' $headers $libraries libc6-dev
+  strip "$folder/bin/sbus"
+  # The LGPL asks for a way to link with another glibc.
+  printf '\n---- sbus is linked with glibc. Its source, to link it with another one: %s\n' "$homepage" >>"$copyright"
   tar cf - -C "$folder" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" bin share |
     gzip -9n >"$dist/$2.tar.gz"
 }
 
 package_debian() {  # SBUS
   folder=$work/debian-package
-  install_to "$1" "$folder" /usr
+  # shellcheck disable=SC2086  # names, to be split
+  install_to "$1" "$folder" /usr $headers
   strip --remove-section=.comment --remove-section=.note "$folder/usr/bin/sbus"
   cat >"$work/changelog" <<END
 sbus ($version) unstable; urgency=medium

@@ -49,8 +49,10 @@ change() {  # FILE SED...: all files are changed, or none
   shift
   sed "$@" "$file" >"$file.new" && cat "$file.new" >"$file" && rm "$file.new"
 }
-change library.properties -e "s|^version=.*|version=$VERSION|" ${MAINTAINER:+-e "s|^maintainer=.*|maintainer=$MAINTAINER|"}
-change library.json -e "s|^  \"version\": .*|  \"version\": \"$VERSION\",|"
+change library.properties -e "s|^version=.*|version=$VERSION|" \
+  ${MAINTAINER:+-e "s|^maintainer=.*|maintainer=$MAINTAINER|" -e "s|^author=.*|author=$MAINTAINER|"}
+change library.json -e "s|^  \"version\": .*|  \"version\": \"$VERSION\",|" ${MAINTAINER:+-e \
+  "s|^  \"authors\": .*|  \"authors\": [{\"name\": \"${MAINTAINER% <*}\", \"email\": \"$(echo "$MAINTAINER" | sed 's/.* <\(.*\)>/\1/')\", \"maintainer\": true}],|"}
 change idf_component.yml -e "s|^version: .*|version: \"$VERSION\"|"
 change CHANGELOG.md -e "s|^## Unreleased\$|## $VERSION, $(date +%F)|"
 change extras/cli/sbus.1 -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
@@ -72,6 +74,8 @@ Set. What is left to do by hand:
   - git commit -am 'Release $VERSION' && sh extras/setup/tags.sh
     The tag v$VERSION makes the release on GitHub: .github/workflows/release.yml. If its job windows fails, sbus for Windows is
     missing there
+  - the first time, before the tag, the labels of the issue forms:
+$(sed -n 's/^labels: \[\(.*\)\]$/      gh label create \1/p' .github/ISSUE_TEMPLATE/*.yml)
   - the first time, before the tag, in GitHub's settings: Pages > Source: GitHub Actions; Environments > github-pages: allow
     tags v*; General > Discussions; Secrets > Actions: PLATFORMIO_AUTH_TOKEN and IDF_COMPONENT_API_TOKEN. Without such a token:
     pio pkg publish; compote component upload --namespace $(property url | cut -d/ -f4) --name decodesbus

@@ -8,6 +8,11 @@ if ! "${MAKE:-make}" --no-print-directory -s -C ../../extras/scope BUILD="$build
   echo "FAILED extras/scope does not build"
   exit
 fi
+if grep -q 'uPlot, Copyright (c) .*Leon Sorokin' "$build/index.html" && grep -q 'The above copyright notice and this permission' "$build/index.html"; then
+  echo "ok scope: the page has its licence, and the names of those whose code is in it"
+else
+  echo "FAILED scope: the page lacks its licence, or that of uPlot"
+fi
 if (tests=$PWD && cd "$build/npm" && npm run --silent check -- "$tests" "$tests/../../extras/scope/picture.mjs"); then
   echo "ok scope: the linter accepts the page, its picture and its tests"
 else
