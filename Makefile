@@ -45,9 +45,9 @@ sbus:
 
 SBUS := build/sbus/sbus
 PREFIX ?= /usr/local
-installed := $(DESTDIR)$(PREFIX)
+installed := $(subst ','\'',$(DESTDIR)$(PREFIX))
 install: $(if $(filter file,$(origin SBUS)),sbus)
-	@install -D '$(SBUS)' '$(installed)/bin/sbus'
+	@install -D '$(subst ','\'',$(SBUS))' '$(installed)/bin/sbus'
 	@install -D -m 644 extras/cli/sbus.1 '$(installed)/share/man/man1/sbus.1'
 	@install -D -m 644 extras/cli/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
 	@install -D -m 644 extras/cli/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'

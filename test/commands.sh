@@ -125,8 +125,8 @@ check '^sbus [0-9]+\.[0-9]+\.[0-9]+ \(DecodeSBus\)$' 'make install PREFIX=/usr/l
   'make install PREFIX=/usr/local'
 check "^removed '.*/a place/usr/local/bin/sbus'$" '[ -n "$(find "a place" -type f)" ] &&
   make uninstall PREFIX=/usr/local DESTDIR="$PWD/a place" && [ -z "$(find "a place" -type f)" ] &&
-  [ "$(cd "a place/usr/local" && echo * share/*)" = "bin share share/man" ] && make install PREFIX="$PWD/a place/own" &&
-  make uninstall PREFIX="$PWD/a place/own" && [ "$(ls "a place")" = usr ]' 'make uninstall PREFIX=/usr/local'
+  [ "$(cd "a place/usr/local" && echo * share/*)" = "bin share share/man" ] && make install PREFIX="$PWD/a place/it'"'"'s own" &&
+  make uninstall PREFIX="$PWD/a place/it'"'"'s own" && [ "$(ls "a place")" = usr ]' 'make uninstall PREFIX=/usr/local'
 check '<title>.*S.Bus' '
   then='"'"'node -e "fetch(process.argv[1]).then((answer) => answer.text()).then(console.log)" "$(grep -o "http://.*/" said)"'"'"'
   until_says http:// make scope SCOPE_PORT=0' 'make scope' 'make scope SCOPE_PORT=8000'

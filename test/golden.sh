@@ -108,6 +108,9 @@ silence() {
 silence '120 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00' 'ends before this sketch prints'
 silence '120 E5 03 1F' 'has no frame'
 
+! timeout 60 "$build/DecodeSBus" --source . >"$build/out" 2>"$build/err" && grep -q '\.: is a folder; the name of a recording is expected' "$build/err"
+verdict $? "a folder is no recording"
+
 python3 -c 'import os, pty, subprocess, sys
 sketch = subprocess.Popen([sys.argv[1], "--source", os.ttyname(pty.openpty()[1]), "--seconds", "60"], stderr=subprocess.PIPE, text=True)
 isSaid = any(line.startswith("no bytes from /dev/") and "Is it the right port" in line for line in sketch.stderr)

@@ -46,3 +46,10 @@ END
 for name in $(echo "$functions" | grep "$special"); do
   grep -qx "$name	KEYWORD2" ../keywords.txt || echo "FAILED keywords: $name() is missing"
 done
+# Types that a sketch writes; DecodeSBusOf and the like are what they are made of.
+types=$(sed -nE '/@cond/,/@endcond/d; s,^(class|struct|enum class|using) ([A-Za-z0-9]+)( [:={].*| : .*)$,\2,p' \
+  DecodeSBus*.h EncodeSBus.h SBus2Sensor.h SBusPin.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/LinkQuality.h sbus/Link.h \
+  sbus2/Sensors.h | grep -vE '(DecodeSBus|Decode.*[^d]|Encode.*)Of$' | grep "$special" | sort -u)
+for name in $types; do
+  grep -qx "$name	KEYWORD1" ../keywords.txt || echo "FAILED keywords: $name is missing"
+done

@@ -18,6 +18,10 @@
 namespace line {
 
 Recording readRecording(const std::string &name, uint32_t characterUs) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(name, unknown)) {  // otherwise the stream throws when it is read
+    throw std::runtime_error(name + ": is a folder; the name of a recording is expected");
+  }
   std::ifstream in(name, std::ios::binary);
   if (!in) {
     throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
