@@ -1,4 +1,4 @@
-"""Runs the programs and commands of a page of recipes: recipes.py PAGE FOLDER. A command of the page that no line below takes is
+"""Runs the programs of the folder beside a page of recipes, and its commands: recipes.py PAGE FOLDER. A command that no line below takes is
 a failure. Receivers are UDP sockets and pseudo-terminals here; rclpy, evdev and, where it is not installed, pymavlink are stand-ins."""
 import atexit
 import contextlib
@@ -16,13 +16,10 @@ import subprocess
 import sys
 import time
 
-page, folder = pathlib.Path(sys.argv[1]).read_text(), pathlib.Path(sys.argv[2])
-commands = []
-for kind, text in re.findall(r"^```(.*?)\n(.*?)^```$", page, re.M | re.S):
-    if kind == "python":
-        (folder / text[2:].split("\n")[0]).write_text(text)  # the first line is a comment, the program's name
-    else:
-        commands += text.splitlines()
+page, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+for program in (page.parent / "recipes").glob("*.py"):
+    shutil.copy(program, folder)
+commands = [line for text in re.findall(r"^```\n(.*?)^```$", page.read_text(), re.M | re.S) for line in text.splitlines()]
 LIVE, FAILSAFE = "ch1=1811,ch3=500", "ch1=1811,ch3=500,failsafe=on"
 SECONDS = 60  # how long a test waits for what must come
 MANY = 6000  # frames, about a minute
