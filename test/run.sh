@@ -165,6 +165,7 @@ build_plain() {
 
 case ${1:-} in
   step)
+    [ -n "${STEP_LOGS:-}" ] || STEPS=$2 exec "$0" test-all
     step "$2"
     exit ;;
   work)
