@@ -95,11 +95,11 @@ impairment:
 	@$(MAKE) --no-print-directory -s -C test impairment
 
 fuzz:
-	@sh extras/setup/packages.sh clang clang-sanitizers
+	@sh extras/setup/packages.sh clang clang-sanitizers nlohmann-json3-dev
 	@$(MAKE) --no-print-directory -C test fuzz
 
 size:
-	@sh extras/setup/packages.sh $(AVR) $(ARM)
+	@sh extras/setup/packages.sh $(AVR) $(ARM) $(ARM_CXX)
 	@$(MAKE) --no-print-directory -C test size
 
 bench:

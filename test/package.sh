@@ -68,6 +68,10 @@ idf_component.yml keywords.txt library.json library.properties src zephyr " ] &&
 verdict $? "the ZIP is one folder, with what a library has"
 [ "$(wc -l <README.md)" -le 90 ] && [ "$(wc -l <CONTRIBUTING.md)" -le 60 ]
 verdict $? "README.md has 90 lines at most, CONTRIBUTING.md 60"
+counters=$(sed -nE 's/^ *uint32_t ([a-zA-Z]+);.*/\1/p' src/sbus/Counters.h)
+missing=$(for counter in ${counters:-none}; do grep -qx " *$counter" .github/ISSUE_TEMPLATE/wrong-bytes.yml || echo "$counter"; done)
+[ -z "$missing" ] || { echo "$missing"; false; }
+verdict $? "a report of wrong values asks for every counter"
 dead=$(./test/pages.py dead "$library") && [ -z "$dead" ] || { echo "$dead"; false; }
 verdict $? "every relative link of the ZIP's pages leads to a file and a heading of the ZIP"
 # `pio pkg pack` adds the manifests, README and LICENSE to what library.json names.

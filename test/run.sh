@@ -139,6 +139,10 @@ step() {
   timeout --foreground 3600 "$0" work "$this" >>"$STEP_LOGS/$this.log" 2>&1
   [ $? -ne 124 ] || echo "FAILED $this did not end" >>"$STEP_LOGS/$this.log"
   sum=$(awk -f count.awk "$STEP_LOGS/$this.log")
+  if [ "$(echo "$sum" | tail -n 1)" = '0 passed, 0 failed' ]; then
+    echo "FAILED $this ran nothing" >>"$STEP_LOGS/$this.log"
+    sum=$(awk -f count.awk "$STEP_LOGS/$this.log")
+  fi
   (
     flock 8
     echo "$this" >>"$STEP_LOGS/done"
@@ -161,6 +165,7 @@ build_plain() {
 
 case ${1:-} in
   step)
+    [ -n "${STEP_LOGS:-}" ] || STEPS=$2 exec "$0" test-all
     step "$2"
     exit ;;
   work)

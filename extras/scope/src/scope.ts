@@ -5,11 +5,13 @@ import { setZero } from './clock';
 import type { Core } from './core';
 import { byId, setText } from './dom';
 import type { State } from './messages';
+import { channelsRoom } from './rooms/channels';
 import { keepRoom } from './rooms/keep';
 import { lineRoom } from './rooms/line';
 import { liveRoom } from './rooms/live';
 import { recordingRoom } from './rooms/recording';
 import type { Room, Shown } from './rooms/Room';
+import { verdictRoom } from './rooms/verdict';
 import { Choice } from './source/choice';
 import { PortSource } from './source/port';
 import { RecordingSource } from './source/recording';
@@ -40,7 +42,7 @@ export function scopeOf(core: Core, notice: NoticeView, failed: (view: string, e
   );
   const line = lineRoom(core, choice);
   const live = liveRoom(core, choice, notice);
-  const rooms: Room[] = [sourceRoom(choice), line, keepRoom(choice, line), recordingRoom(core, choice, line, notice), live];
+  const rooms: Room[] = [sourceRoom(choice), verdictRoom(core, choice, line), line, channelsRoom(core, choice, line), keepRoom(choice, line), recordingRoom(core, choice, line, notice), live];
   const broken = new Set<string>(); // views
 
   function draw(): void {
