@@ -51,7 +51,7 @@ struct PolledBySlotTimer : PolledByLoop {
 /// On a port that does not show when a frame ended, the sensor never answers, and skippedSlots() grows: any Stream
 /// other than a hardware serial port, and the ports of some cores (extras/docs/answering.md).
 ///
-/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry hold it off while they run. On an
+/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry block it. On an
 /// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt. A function that takes a
 /// DecodeSBusTelemetry does not take an SBus2Sensor: make it a template (see DecodeSBusBackgroundOf).
 class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::PolledBySlotTimer> {

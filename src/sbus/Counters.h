@@ -30,8 +30,8 @@ struct Counters {
 
   /// @cond  For the classes of this library.
 
-  /// Takes the time between two frames, us; more than two periods count as two. A negative first time is ignored: a
-  /// blocked loop() has hidden when the previous frame came.
+  /// Takes the time between two frames, us; more than two periods count as two. Ignores a negative first interval:
+  /// loop() was blocked.
   void measure(uint32_t interval) {
     const int32_t before = static_cast<int32_t>(period);
     if (before > 0) {

@@ -53,7 +53,7 @@ class LinkQuality {
       _marks[_next] = mark;
       _next = static_cast<uint8_t>((_next + 1) % MarkCount);
     }
-    // At one rate, two stretches of equal length may differ by one frame.
+    // A window may hold one frame more or less.
     const uint32_t expected = _rate * ms / (uint32_t{RateUnit} * 1000);
     const uint32_t least = expected > 1 ? expected - 1 : 0;
     const uint32_t all = came > least ? came : least;

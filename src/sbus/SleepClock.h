@@ -27,8 +27,8 @@ class SleepClock {
   /// Returns true if the methods below matter: call none of them before.
   bool hasEverSlept() const { return _ms != Never; }
 
-  /// Takes the newest frame, with its FrameFinder::frameTime(), at the moment when it is complete. (If `ms` is Never,
-  /// the next sleep begins anew.)
+  /// Takes the newest frame, with its FrameFinder::frameTime(), at the moment when it is complete. (`Never` re-arms
+  /// it at the next sleep.)
   void frame(uint32_t time, uint32_t ms) {
     _time = time;
     barrier();

@@ -40,7 +40,7 @@ class SlotSchedule : public Telemetry {
     Fine,     ///< nothing else was heard
     Collided  ///< see SBus2Sensor::collisions()
   };
-  Outcome outcome() const { return _outcome; }  ///< Returns that.
+  Outcome outcome() const { return _outcome; }  ///< Returns the outcome since the previous frame.
 
   /// Returns true, once, if the newest byte is the last one of an accepted frame.
   bool takeFrameEnd();
