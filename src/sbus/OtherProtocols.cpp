@@ -7,6 +7,7 @@ namespace {
 constexpr uint8_t IBusSize = 32;        // 20 40, 14 channels, a checksum: betaflight, src/main/rx/ibus.c
 constexpr uint8_t SpektrumSize = 16;    // two bytes, seven words with a channel's number each: src/main/rx/spektrum.c
 constexpr uint8_t SpektrumPackets = 4;  // none has a checksum
+constexpr uint8_t CrsfMax = 64;         // an address, the size of the rest, type, data, a checksum: src/main/rx/crsf.c
 constexpr uint8_t FPortMark = 0x7E;     // FrSky's F.Port: src/main/rx/fport.c
 constexpr uint8_t FPortEscape = 0x7D;
 constexpr uint8_t DbusSize = 18;  // DJI's DR16: four sticks, two switches, mouse and keys of RoboMaster
@@ -31,11 +32,10 @@ uint16_t crc16(uint16_t crc, uint8_t byte) {  // SUMD: 1021
 
 void OtherProtocols::put(uint8_t byte) {
   _bytes[_next] = byte;
-  _next = static_cast<uint8_t>((_next + 1) % Size);
+  _next = static_cast<uint8_t>(_next + 1 < Size ? _next + 1 : 0);
   _count++;
   take(0, Finding::IBus, endOfIBus());
-  take(1, Finding::Crsf, endOfCrsf());
-  take(2, Finding::Sumd, endOfSumd());
+  takeChecked();
   take(3, Finding::FPort, endOfFPort());
   take(4, Finding::Dbus, endOfDbus());
   if (isSpektrum()) {
@@ -69,40 +69,37 @@ uint8_t OtherProtocols::endOfIBus() const {
   return at(1) == (sum & 0xFF) && at(0) == sum >> 8 ? IBusSize : 0;
 }
 
-uint8_t OtherProtocols::endOfCrsf() const {
-  for (uint8_t size = 4; size <= 64; size++) {
-    const uint8_t address = at(static_cast<uint8_t>(size - 1));
-    if (at(static_cast<uint8_t>(size - 2)) != size - 2 || (address != 0xC8 && address != 0xEE && address != 0xEA)) {
-      continue;
+// Takes packets of CRSF and SUMD, which tell their size: looks for a beginning that fits this end, one byte after the
+// other.
+void OtherProtocols::takeChecked() {
+  uint8_t place = _next, second = 0, third = 0;  // the bytes after the one at `place`
+  for (uint8_t size = 1; size < Size; size++) {
+    place = static_cast<uint8_t>(place == 0 ? Size - 1 : place - 1);
+    const uint8_t first = _bytes[place];
+    if (second == size - 2 && second >= 2 && (first == 0xC8 || first == 0xEE || first == 0xEA) && endsCrsf(size)) {
+      take(1, Finding::Crsf, size);
+    } else if (first == 0xA8 && (second == 0x01 || second == 0x81) && third >= 2 && 2 * third + 5 == size && endsSumd(size)) {
+      take(2, Finding::Sumd, size);
     }
-    uint8_t crc = 0;
-    for (uint8_t back = static_cast<uint8_t>(size - 3); back > 0; back--) {
-      crc = crc8(crc, at(back));
-    }
-    if (crc == at(0)) {
-      return size;
-    }
+    third = second;
+    second = first;
   }
-  return 0;
 }
 
-uint8_t OtherProtocols::endOfSumd() const {
-  for (uint8_t channels = 2; channels <= 32; channels++) {
-    const uint8_t size = static_cast<uint8_t>(5 + 2 * channels);
-    const uint8_t status = at(static_cast<uint8_t>(size - 2));
-    if (at(static_cast<uint8_t>(size - 1)) != 0xA8 || (status != 0x01 && status != 0x81) ||
-        at(static_cast<uint8_t>(size - 3)) != channels) {
-      continue;
-    }
-    uint16_t crc = 0;
-    for (uint8_t back = static_cast<uint8_t>(size - 1); back > 1; back--) {
-      crc = crc16(crc, at(back));
-    }
-    if (at(1) == crc >> 8 && at(0) == (crc & 0xFF)) {
-      return size;
-    }
+bool OtherProtocols::endsCrsf(uint8_t size) const {
+  uint8_t crc = 0;
+  for (uint8_t back = static_cast<uint8_t>(size - 3); back > 0; back--) {
+    crc = crc8(crc, at(back));
   }
-  return 0;
+  return size <= CrsfMax && crc == at(0);
+}
+
+bool OtherProtocols::endsSumd(uint8_t size) const {
+  uint16_t crc = 0;
+  for (uint8_t back = static_cast<uint8_t>(size - 1); back > 1; back--) {
+    crc = crc16(crc, at(back));
+  }
+  return at(1) == crc >> 8 && at(0) == (crc & 0xFF);
 }
 
 // 7E, the size of what follows without the checksum, type 00 (sticks) or 01 (telemetry), data, a checksum, 7E. 7D comes

@@ -28,10 +28,15 @@ class OtherProtocols {
     uint8_t count;  // of packets, one after the other
   };
 
-  uint8_t at(uint8_t back) const { return _bytes[static_cast<uint8_t>(_next + Size - 1 - back) % Size]; }
+  // Returns a byte, counted back from the newest. (Without a division: an AVR has 120 us for all that put() does.)
+  uint8_t at(uint8_t back) const {
+    const uint8_t place = static_cast<uint8_t>(_next + Size - 1 - back);
+    return _bytes[place < Size ? place : place - Size];
+  }
   uint8_t endOfIBus() const;
-  uint8_t endOfCrsf() const;
-  uint8_t endOfSumd() const;
+  bool endsCrsf(uint8_t size) const;
+  bool endsSumd(uint8_t size) const;
+  void takeChecked();
   uint8_t endOfFPort() const;
   uint8_t endOfDbus() const;
   bool isSpektrum() const;

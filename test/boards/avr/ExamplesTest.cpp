@@ -186,6 +186,14 @@ TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the
   CHECK(board.mistakes() == "USART1: baud rate\n");  // a port that is set wrongly does not go unnoticed
 }
 
+TEST_CASE("Diagnose keeps up with a noisy line, of which it examines each byte that belongs to no frame") {
+  const AvrBoard board(Mega, "Diagnose", lineOf("noisy"), 8);
+  const std::string text = textOf(board);
+  CAPTURE(text);
+  CHECK(text.find("Noise") != std::string::npos);
+  CHECK(text.find("Polled too seldom") == std::string::npos);
+}
+
 TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses them for what it prints") {
   const std::string move = "1. Move all sticks, sliders and switches to all their ends.\n";
   const AvrBoard first(Mega, "Calibrate", lineOf("calibration"), 29);

@@ -51,7 +51,8 @@ Line lineOf(const std::string &name) {
   line::Source source;
   source.silent = name == "silent";
   source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
-  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
+  source.noise = name == "noisy" ? 20 : 0;
+  if (name != "flight" && name != "cut" && name != "noisy" && name != "calibration" && name != "silent" && name != "wire") {
     source.name = "../../recordings/" + name + ".txt";
   }
   Line line;
