@@ -12,7 +12,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Busy InterruptsOff Masked Pin PinBackground
+OURS_ALONE := Background Busy InterruptsOff Masked OtherCode Pin PinBackground
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega
@@ -45,7 +45,7 @@ chip = -mmcu=$(word 1,$($1)) -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_AVR_$(w
 AVR_C = avr-gcc $(call chip,$1) -std=gnu11
 AVR_CXX = avr-g++ $(call chip,$1) -std=gnu++11 -fno-exceptions -fno-threadsafe-statics
 core_includes = -I$(ARDUINO)/cores/arduino -I$(ARDUINO)/variants/$(word 3,$($1))
-OURS = -I$(ROOT)/src -I$(HOST)/standin -I$(HERE)/core -I$(ARDUINO) $(call core_includes,$1)
+OURS = -I$(ROOT)/src -I$(HOST)/standin -I$(HERE)/core -I$(ARDUINO) -I$(ARDUINO)/libraries/SoftwareSerial/src $(call core_includes,$1)
 
 # WString.cpp does not compile with Debian's avr-gcc 5.4; no sketch of ours has a String.
 CORE_SOURCES := $(notdir $(filter-out %/WString.cpp,$(wildcard $(ARDUINO)/cores/arduino/*.c \
