@@ -313,21 +313,21 @@ done
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
 verdict $? "--help-all lists subcommands and options"
-# An option is listed under its subcommand, or under SOURCE if the subcommand takes one.
-sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
-  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || / A B$/); print "has", section }
-  /^\.(BR?|OP) -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
-  common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
+"$sbus" __manual <../extras/cli/sbus.1.in >"$work/sbus.1" && sed 's/\\-/-/g; s/\\f[BR]//g' "$work/sbus.1" | awk '
+  /^\.S[HS] / { section = $2 == "sbus" ? $3 : "SOURCE"; print section }
+  title { for (i = 1; i <= NF; i++) if ($i ~ /^--/) print section, $i }
+  { title = /^\.TP/ }' >"$work/manual"
 while read -r subcommand option; do
-  case $subcommand in -*) line=".SH OPTIONS $subcommand" ;; *) line="${option:+$subcommand }${option:-has $subcommand}" ;; esac
-  grep -qxFe "$line" "$work/manual" ||
-    { grep -qxF "$subcommand SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
+  case $subcommand in -*) line="SOURCE $subcommand" ;; *) line="$subcommand${option:+ $option}" ;; esac
+  grep -qxFe "$line" "$work/manual" || grep -qxF "SOURCE $option" "$work/manual"
   verdict $? "sbus.1 has $subcommand $option"
 done <"$work/words"
+[ "$(grep -c -e -- "$work/manual")" -gt 40 ] && ! grep -qE "^\.(SUBCOMMAND|OPTION) " "$work/sbus.1" && ! sort "$work/manual" | uniq -d | grep -q -- --
+verdict $? "sbus.1 describes an option once"
 for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
-  grep -qx "has .SH $section" "$work/manual"
+  grep -qx ".SH $section" "$work/sbus.1"
   verdict $? "sbus.1 has $section"
 done
-grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' ../extras/cli/sbus.1
+grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' "$work/sbus.1"
 verdict $? "sbus.1 has a date"
 WORDS=$work/words tool/completion.sh
