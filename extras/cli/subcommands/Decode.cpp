@@ -307,9 +307,7 @@ void addDecode(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   subcommand
       .option("CAPTURE", options->capture,
-              "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
-              "table of Saleae's Async Serial; "
-              "each also packed (.gz, .xz, .zip); - is standard input")
+              "a capture by a logic analyser or an oscilloscope, as CSV, VCD or PulseView's .sr; - is standard input")
       .required()
       .notEmpty()
       .type("");
