@@ -176,6 +176,16 @@ for source in sim sim:24 sim:32; do
   "$sbus" hex "$work/values.txt" --values 2>"$work/err" | cut -c 13- | cmp - "$work/wanted" && [ "$(grep -c 'end 00' "$work/wanted")" -gt 99 ]
   verdict $? "what hex --values prints of $source is read again"
 done
+for source in sim sim:24 sim:32 sim:noise=60 sim:sbus2; do
+  "$sbus" wave $source --simulated-time --seconds 10 -o "$work/printed.vcd" 2>"$work/err"
+  "$sbus" hex "$work/printed.vcd" --json | grep -v '"line"\|"slot"' >"$work/wanted"
+  for option in '' --characters; do
+    # shellcheck disable=SC2086  # a word, or none
+    "$sbus" decode "$work/printed.vcd" $option >"$work/printed.txt" 2>"$work/err"
+    "$sbus" hex "$work/printed.txt" --json 2>"$work/err" | grep -v '"line"\|"slot"' | cmp - "$work/wanted"
+    verdict $? "what decode ${option:-in a table} prints of $source is read again: $(grep -c '"frame"' "$work/wanted") frames"
+  done
+done
 rejected "$work/paper.vcd:24: \"24\" is not allowed after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf 'time,CH17,CH18\n0.2,0,1\n0.4,1,0\n' >"$work/times.csv"
 "$sbus" monitor "$work/times.csv" --simulated-time | grep -q '^ *0\.[45][0-9]*  .*1 *0'

@@ -272,6 +272,15 @@ std::string parseHex(std::string_view text, TextBytes &bytes) {
   return wrong;
 }
 
+bool parseHex(std::string_view text, std::vector<Character> &characters) {
+  TextBytes bytes;
+  const bool isGood = parseHex(text, bytes).empty() && !bytes.empty();
+  for (const TextByte &byte : bytes) {
+    characters.push_back({0, byte.value, byte.bad});
+  }
+  return isGood;
+}
+
 ByteText::ByteText(std::string_view head, bool isWhole) {
   findOffsets(head);
   if (!hasOffsets() && withoutBlanks(head).substr(0, 8) == "0000000 ") {

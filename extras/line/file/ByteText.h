@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "line/Line.h"
+
 namespace line {
 
 struct TextByte {
@@ -18,6 +20,9 @@ struct TextNumber;
 
 // Reads bytes in hexadecimal: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3. Returns the first word that is none, or nothing.
 std::string parseHex(std::string_view text, TextBytes &bytes);
+
+// Reads such bytes as characters without times. Returns false for other words, and without any.
+bool parseHex(std::string_view text, std::vector<Character> &characters);
 
 class ByteText {
  public:

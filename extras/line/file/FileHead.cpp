@@ -4,6 +4,7 @@
 
 #include "line/capture/Capture.h"
 #include "line/file/BytesReader.h"
+#include "line/file/DecodedReader.h"
 #include "line/file/JsonReader.h"
 #include "line/file/Mangled.h"
 #include "line/file/OtherText.h"
@@ -82,6 +83,9 @@ FileKind kindOfText(std::string_view text) {
       withoutBlanks(withoutBlanks(begin.substr(1)).substr(1)).substr(0, 6) == "\"type\"") {
     return FileKind::Json;  // jq -s makes one array of the lines, which is rejected
   }
+  if (DecodedReader::reads(begin)) {
+    return FileKind::Decoded;
+  }
   if (frameTable(text) == FrameTable::Yes) {
     return FileKind::Table;
   }
@@ -110,6 +114,7 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
                            : areBytes                ? "bytes"
                            : kind == FileKind::Json  ? "JSON lines"
                            : kind == FileKind::Table ? "a table of frames"
+                           : kind == FileKind::Decoded ? "what sbus decode printed"
                                                      : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
@@ -172,6 +177,8 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
     head.startUs = read.startUs;
     head.hasTimes = read.hasTimes;
     head.isRead = read.isRead;
+  } else if (kind == FileKind::Decoded) {
+    head.settings = DecodedReader::settings(begin);
   } else if (kind == FileKind::Bytes || kind == FileKind::Text) {
     head.hasTimes = false;
   }
@@ -233,6 +240,8 @@ std::unique_ptr<LineReader> makeReader(const FileHead &head, bool isWhole) {
       return std::make_unique<JsonReader>(head.settings);
     case FileKind::Table:
       return std::make_unique<TableReader>(head.settings);
+    case FileKind::Decoded:
+      return std::make_unique<DecodedReader>(head.settings);
     case FileKind::Bytes:
     case FileKind::Text:
       return std::make_unique<BytesReader>(head.begin, head.kind == FileKind::Text, head.settings);
