@@ -313,21 +313,15 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
   _lines = isSure ? _lines : 0;  // a number at the end of lines is a byte if others are
 }
 
-// Takes the offset off a line of a dump, 00000010, 0010: or 0010h:, and off its end the text beside the bytes.
+// Takes the offset off a line of a dump: 00000010, 0010: or 0010h:.
 bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
   const size_t digits = std::min(text.size(), text.find_first_of("h: \t"));
   const size_t colon = text.substr(digits, 1) == "h" ? digits + 1 : digits;
   const bool hasColon = text.substr(std::min(text.size(), colon), 1) == ":";
   const std::string_view behind = text.substr(std::min(text.size(), hasColon ? colon + 1 : digits));
-  if (digits < 4 || !parseWhole(text.substr(0, digits), offset, _offsetBase) ||
-      !(behind.empty() || isBlank(behind[0]))) {
-    return false;
-  }
-  text = text.substr(0, isTextAt(text, _width) ? _width : text.npos);
-  text.remove_prefix(std::min(text.size(), static_cast<size_t>(behind.data() - text.data())));
-  text = withoutBlanks(text);
-  text = text.substr(0, std::min({text.find(hasColon ? "  " : "   "), text.find(" |"), text.find(" ;")}));
-  return true;
+  const bool is = digits >= 4 && parseWhole(text.substr(0, digits), offset, _offsetBase) && (behind.empty() || isBlank(behind[0]));
+  text = is ? withoutBlanks(behind) : text;
+  return is;
 }
 
 // Offsets grow from line to line by the number of bytes between them; behind these there may be text.
@@ -335,8 +329,8 @@ void ByteText::findOffsets(std::string_view head) {
   for (const int base : {16, 8, 10}) {
     _offsetBase = base;
     _width = 0;
-    std::string_view lines = head, before;   // `before`: the bytes of the line before
-    size_t begin = 0, tried = 0, found = 0;  // `begin`: their column
+    std::string_view lines = head, before;  // `before`: the bytes of the line before, and the text
+    size_t tried = 0, found = 0;
     uint64_t offset = 0, last = 0;
     for (size_t i = 0; i < HeadLines && !lines.empty(); i++) {
       const std::string_view line = withoutBlanks(takeLine(lines));
@@ -355,10 +349,9 @@ void ByteText::findOffsets(std::string_view head) {
         const bool isMatch = size > 0 && last + size == offset && isTextAt(before, end);
         tried++;
         found += isMatch;
-        _width = isMatch ? std::max(_width, begin + end) : _width;
+        _width = isMatch ? std::max(_width, end) : _width;
       }
       before = isOne ? text : std::string_view();
-      begin = isOne ? static_cast<size_t>(text.data() - line.data()) : 0;
       last = offset;
       _areSwapped = isOne ? line.substr(0, line.find(' ')).find(':') == line.npos : _areSwapped;
     }
@@ -386,6 +379,7 @@ void ByteText::findStyle(std::string_view head) {
       takeEnd(number.text, '!');
       hasBytes = hasBytes || !isBits(number.text);
       takeMark(number.text);
+      _hasWords = _hasWords || (hasOffsets() && number.text.size() >= 4);
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
       _isList = _isList || number.isFirst;
     }
@@ -402,6 +396,9 @@ std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
   uint64_t offset;
   if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
     return {};
+  }
+  if (hasOffsets()) {  // without the text beside the bytes; the last word may stand apart
+    text = text.substr(0, isTextAt(text, _width) ? _width : std::min({text.find("  "), text.find(" |"), text.find(" ;")}));
   }
   bool isAssigned, areAtEnd;
   const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);

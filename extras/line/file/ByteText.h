@@ -46,6 +46,9 @@ class ByteText {
   // Returns true if a line begins with a frame.
   bool hasFrames() const { return _frameLines > 0; }
 
+  // Returns true for a dump of words of two bytes or more.
+  bool hasWords() const { return _hasWords; }
+
   // Takes a dump's words for bytes in the other order: xxd -e prints them as a PC reads them.
   void swapWords() { _areSwapped = !_areSwapped; }
 
@@ -66,6 +69,7 @@ class ByteText {
   int _offsetBase = 0;       // 0: there are no offsets
   size_t _width = 0;         // of a dump's line up to the text beside the bytes
   bool _areSwapped = false;  // a word's lowest byte comes first in the file, and last in the text
+  bool _hasWords = false;
   bool _areBits = false;     // eight digits of 0 and 1 each: not read
   bool _hasMarks = false;    // 0x
   bool _hasStrings = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
+#include <utility>
 
 #include "line/Observer.h"
 #include "line/recording/Words.h"
@@ -24,25 +26,24 @@ bool areAlike(const Values &a, const Values &b) {
 }  // namespace
 
 // A line has hardly anything but frames; a bad one has a quarter of its bytes in them, and these repeat.
-Evidence BytesReader::Found::evidence() const {
-  const bool isMost = 5 * taken >= 4 * bytes;
+bool BytesReader::Found::areLine() const {
   const bool areRepeated = frames == 1 ? 2 * taken >= bytes : 4 * taken >= bytes && 2 * alike + 1 >= frames;
-  return frames == 0 ? Evidence::None : isMost || areRepeated ? Evidence::Good : Evidence::Weak;
+  return frames > 0 && (5 * taken >= 4 * bytes || areRepeated);
 }
 
 BytesReader::BytesReader(std::string_view head, bool isText, const LineSettings &settings)
     : _isText(isText), _characterUs(settings.characterUs()), _text(isText ? head : std::string_view(), head.size() < FileHeadMax), _isLong(head.size() >= FileHeadMax) {
   examine(head);
-  if (_text.hasOffsets()) {  // read with each word's bytes in the other order, more of them may be in frames
-    const size_t taken = _found.taken;
+  if (_text.hasWords()) {  // with each word's bytes in the other order, more of them may be in frames
+    const auto asPrinted = std::pair(_found, _filled);
     _text.swapWords();
     examine(head);
-    if (_found.taken <= taken) {
+    if (_found.taken <= asPrinted.first.taken) {
       _text.swapWords();
-      examine(head);
+      std::tie(_found, _filled) = asPrinted;
     }
   }
-  if (_evidence != Evidence::Good && isText) {  // then each line must be bytes
+  if (!_found.areLine() && isText) {  // then each line must be bytes
     _text.setStrict();
     examine(head);
   }
@@ -53,13 +54,12 @@ void BytesReader::examine(std::string_view head) {
   for (std::string_view rest = head; !rest.empty();) {
     bytesOf(_isText ? takeLine(rest) : std::exchange(rest, std::string_view()), bytes);
   }
-  const FilledFrames filled(bytes);
-  const Found plain = framesOf(bytes, FilledFrames());
-  const Found spaced = filled.any() ? framesOf(bytes, filled) : Found();
-  const bool isSpaced = spaced.frames > plain.frames && spaced.evidence() == Evidence::Good;
-  _filled = isSpaced ? filled : FilledFrames();
-  _found = isSpaced ? spaced : plain;
-  _evidence = _found.evidence();
+  _filled = FilledFrames(bytes);
+  _found = framesOf(bytes, FilledFrames());
+  const Found spaced = _filled.any() ? framesOf(bytes, _filled) : Found();
+  const bool isSpaced = spaced.frames > _found.frames && spaced.areLine();
+  _filled = isSpaced ? _filled : FilledFrames();
+  _found = isSpaced ? spaced : _found;
 }
 
 BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames filled) const {
@@ -90,7 +90,7 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
 std::string BytesReader::why() const {
   const char *const expected = "bytes of a line are expected, mostly frames, or a recording or a capture";
   return std::string("is no line of S.Bus: ") +
-         (_evidence == Evidence::None ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
+         (_found.frames == 0 ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
                                       : "only " + std::to_string(_found.taken) + " of its first " + std::to_string(_found.bytes) +
                                             (_isText ? " numbers" : " bytes") + " look like frames, which happens by chance") +
          "; " + expected;

@@ -12,10 +12,6 @@
 
 namespace line {
 
-// What frames say of the bytes that they are found in. Numbers look like a frame by chance, here and there: it is as
-// long as one, its first byte is 0F and its last one 00. Weak: no receiver sent these frames.
-enum class Evidence { None, Weak, Good };
-
 class BytesReader : public LineReader {
  public:
   // `head`: the file's first bytes, or the text's first lines.
@@ -26,7 +22,7 @@ class BytesReader : public LineReader {
   bool takesBytes() const override { return !_isText; }
 
   // Returns false if no receiver sent the frames: the head has some by chance, or none though it is long.
-  bool mayBeLine() const { return _evidence == Evidence::Good || (_evidence == Evidence::None && !_isLong); }
+  bool mayBeLine() const { return _found.areLine() || (_found.frames == 0 && !_isLong); }
 
   // Returns why it may not, and what is expected.
   std::string why() const;
@@ -42,7 +38,9 @@ class BytesReader : public LineReader {
     size_t taken = 0;  // by frames and telemetry
     size_t alike = 0;  // frames that hardly differ from the one before
 
-    Evidence evidence() const;
+    // Returns true if a receiver sent them. Numbers look like a frame by chance, here and there: it is as long as one, its
+    // first byte is 0F and its last one 00.
+    bool areLine() const;
   };
 
   void examine(std::string_view head);
@@ -54,7 +52,6 @@ class BytesReader : public LineReader {
   ByteText _text;
   FilledFrames _filled;
   Found _found;
-  Evidence _evidence = Evidence::None;
   const bool _isLong;  // the head is only the beginning
   Character _last;
 };
