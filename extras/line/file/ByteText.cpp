@@ -22,7 +22,6 @@ using Numbers = std::vector<TextNumber>;
 
 constexpr size_t HeadLines = 200;  // to examine
 constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
-constexpr size_t BeforeFrame = 4;  // places of a line at which its frame may begin
 constexpr size_t HeadNumbers = 9;  // before a line's bytes: those of a date and a time, a count
 constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
@@ -304,11 +303,6 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
     _lines += !bytes.empty();
     isSure = isSure || bytes.size() >= RunLeast ||
              std::any_of(bytes.begin(), bytes.end(), [](TextByte byte) { return byte.value == sbus::HeaderByte; });
-    for (size_t from = 0; from < std::min(bytes.size(), BeforeFrame); from++) {
-      const bool isFrame = beginsWithFrame({bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end()});
-      _frameLines += isFrame;
-      from = isFrame ? bytes.size() : from;
-    }
   }
   _lines = isSure ? _lines : 0;  // a number at the end of lines is a byte if others are
 }

@@ -33,8 +33,8 @@ class ByteText {
   // Rejects lines with words, if the first one with bytes has numbers only.
   void setStrict() { _isStrict = true; }
 
-  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then
-  // isList(), hasOffsets() and hasFrames() decide.
+  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then isList(),
+  // hasOffsets() and BytesReader decide.
   bool isBytes() const { return _lines > 0; }
 
   // Returns true if lines begin with offsets, as a dump's do.
@@ -42,9 +42,6 @@ class ByteText {
 
   // Returns true if only bytes are written like this: within brackets, with 0x, or as a string.
   bool isList() const { return _isList; }
-
-  // Returns true if a line begins with a frame.
-  bool hasFrames() const { return _frameLines > 0; }
 
   // Returns true for a dump of words of two bytes or more.
   bool hasWords() const { return _hasWords; }
@@ -78,8 +75,7 @@ class ByteText {
   bool _isStrict = false;
   bool _hasIndex = false;  // a byte a line, after its number
   int _base = 16;
-  size_t _lines = 0;       // of the head, with bytes
-  size_t _frameLines = 0;  // that begin with a frame
+  size_t _lines = 0;  // of the head, with bytes
 };
 
 }  // namespace line

@@ -12,23 +12,31 @@ namespace line {
 
 namespace {
 
-// Returns true if most channels of two frames hardly differ, like those of sticks.
-bool areAlike(const Values &a, const Values &b) {
-  constexpr int Move = 100;
-  constexpr size_t Least = 12;  // of 16
-  size_t count = 0;
+// Returns true if most channels of a frame hardly differ from those of the one before, like those of sticks; if hardly any
+// is at an end that no radio reaches, unless it is cut off there or not given; and if its bytes are of eight bits, as they
+// are of channels of 11 bits: small numbers and repeated tables have none of that.
+bool areSticks(const Stretch &frame, const Values &values, const Values &before) {
+  constexpr int Move = 100, End = 64;
+  constexpr size_t Alike = 12, Odd = 2;  // of 16
+  size_t alike = 0, odd = 0;
+  unsigned bits = 0;
   for (size_t i = 0; i < sbus::ProportionalCount; i++) {
-    count += std::abs(a.raw[i] - b.raw[i]) <= Move;
+    const int raw = values.raw[i];
+    alike += std::abs(raw - before.raw[i]) <= Move;
+    odd += (raw > 0 && raw < End) || (raw > sbus::ChannelMax - End && raw < sbus::ChannelMax);
   }
-  return a.count == b.count && count >= Least;
+  for (size_t i = 1; i < sbus::FlagsIndex; i++) {
+    bits |= frame.characters[i].value;
+  }
+  return values.count == before.count && alike >= Alike && odd <= Odd && (bits == 0xFF || bits == 0);
 }
 
 }  // namespace
 
 // A line has hardly anything but frames; a bad one has a quarter of its bytes in them, and these repeat.
 bool BytesReader::Found::areLine() const {
-  const bool areRepeated = frames == 1 ? 2 * taken >= bytes : 4 * taken >= bytes && 2 * alike + 1 >= frames;
-  return frames > 0 && (5 * taken >= 4 * bytes || areRepeated);
+  const bool areRepeated = (frames == 1 ? 2 : 4) * taken >= bytes && 2 * alike > frames;
+  return frames > 0 && (20 * taken >= 19 * bytes || areRepeated);
 }
 
 BytesReader::BytesReader(std::string_view head, bool isText, const LineSettings &settings)
@@ -71,7 +79,7 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
     found.taken += stretch.isFrame() || !stretch.slots.empty() ? stretch.characters.size() : 0;
     found.frames += stretch.isFrame();
     if (stretch.isFrame() && stretch.kind != Stretch::Kind::Extra) {
-      found.alike += areAlike(observer.newest(), before);
+      found.alike += areSticks(stretch, observer.newest(), found.alike == 0 ? observer.newest() : before);
       before = observer.newest();
     }
   });
@@ -82,6 +90,7 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
   for (const Character &character : characters) {
     observer.put(character);
   }
+  observer.idleUntil(last.endUs + (_isLong ? 0 : TailUs));  // a file's last frame ends in silence
   observer.finish();
   found.bytes = bytes.size();
   return found;

@@ -21,8 +21,11 @@ class BytesReader : public LineReader {
   std::string finish(std::deque<Character> &characters) override;
   bool takesBytes() const override { return !_isText; }
 
+  // Returns true if a receiver sent the frames of the head.
+  bool hasFrames() const { return _found.areLine(); }
+
   // Returns false if no receiver sent the frames: the head has some by chance, or none though it is long.
-  bool mayBeLine() const { return _found.areLine() || (_found.frames == 0 && !_isLong); }
+  bool mayBeLine() const { return hasFrames() || (_found.frames == 0 && !_isLong); }
 
   // Returns why it may not, and what is expected.
   std::string why() const;
@@ -36,7 +39,7 @@ class BytesReader : public LineReader {
     size_t frames = 0;
     size_t bytes = 0;  // of all
     size_t taken = 0;  // by frames and telemetry
-    size_t alike = 0;  // frames that hardly differ from the one before
+    size_t alike = 0;  // frames that hardly differ from the one before; the first one of sticks is one
 
     // Returns true if a receiver sent them. Numbers look like a frame by chance, here and there: it is as long as one, its
     // first byte is 0F and its last one 00.

@@ -94,7 +94,7 @@ FileKind kindOfText(std::string_view text) {
   }
   const ByteText bytes(text, text.size() < FileHeadMax);
   const bool areRows = isCsvText(text.substr(0, RecordingBeginning));
-  if (bytes.isBytes() && (areRows ? bytes.hasFrames() : bytes.isList() || bytes.hasOffsets())) {
+  if (bytes.isBytes() && (areRows ? BytesReader(text, true, LineSettings()).hasFrames() : bytes.isList() || bytes.hasOffsets())) {
     return FileKind::Text;
   }
   if (areRows) {
@@ -108,7 +108,7 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
   // A column of voltages, which --sample-rate tells the times of, may look like bytes as well.
   std::string_view text = withoutBlanks(begin), words = takeLine(text);
   takeWord(words);
-  const bool isColumn = takeWord(words).empty() && !ByteText(begin, true).hasFrames();
+  const bool isColumn = takeWord(words).empty() && !BytesReader(begin, true, LineSettings()).hasFrames();
   const bool areBytes = kind == FileKind::Bytes || (kind == FileKind::Text && !isColumn);
   const char *const what = isOne                     ? "a recording of characters"
                            : areBytes                ? "bytes"
