@@ -93,6 +93,7 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
   observer.idleUntil(last.endUs + (_isLong ? 0 : TailUs));  // a file's last frame ends in silence
   observer.finish();
   found.bytes = bytes.size();
+  found.baud = observer.readAtBaud();
   return found;
 }
 

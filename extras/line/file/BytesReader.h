@@ -24,8 +24,11 @@ class BytesReader : public LineReader {
   // Returns true if a receiver sent the frames of the head.
   bool hasFrames() const { return _found.areLine(); }
 
+  // Returns the baud rate at which a port has read a line, if another than its own; otherwise 0.
+  unsigned long readAtBaud() const { return _found.baud; }
+
   // Returns false if no receiver sent the frames: the head has some by chance, or none though it is long.
-  bool mayBeLine() const { return hasFrames() || (_found.frames == 0 && !_isLong); }
+  bool mayBeLine() const { return hasFrames() || readAtBaud() != 0 || (_found.frames == 0 && !_isLong); }
 
   // Returns why it may not, and what is expected.
   std::string why() const;
@@ -40,6 +43,8 @@ class BytesReader : public LineReader {
     size_t bytes = 0;  // of all
     size_t taken = 0;  // by frames and telemetry
     size_t alike = 0;  // frames that hardly differ from the one before; the first one of sticks is one
+
+    unsigned long baud = 0;  // see Observer::readAtBaud()
 
     // Returns true if a receiver sent them. Numbers look like a frame by chance, here and there: it is as long as one, its
     // first byte is 0F and its last one 00.

@@ -228,6 +228,9 @@ FileHead readFileHead(std::string_view begin, const std::string &name, unsigned 
   std::string text(plain.put(begin));
   text += plain.finish();
   if (std::any_of(text.begin(), text.end(), [](char c) { return c != '\0' && isControl(c); })) {
+    if (BytesReader(begin, false, LineSettings()).readAtBaud() != 0) {
+      return headOfText(FileKind::Bytes, begin, baud);
+    }
     return wrong("is neither text nor a receiver's bytes: a recording, a capture of the wire or bytes are expected");
   }
   const std::string other = whatText(text);
