@@ -170,7 +170,7 @@ OTHERS = {
 
 # What tools print, by the tools. {} is the file.
 TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -u {}", "xxd -e {}", "xxd -e -g 2 {}", "xxd -e -g 8 -c 24 {}", "xxd -p {}", "xxd -ps -c 25 {}", "xxd -i {}",
-         "hexdump -v -C {}", "hexdump -v {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
+         "hexdump -v -C {}", "hexdump -v {}", "hexdump -v -x {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
          "od -v -x {}", "od -v -t x1 {}", "od -v -A x -t x1 {}", "od -v -A d -t x1 {}", "od -A n -v -t x1 {}", "od -An -v -tx1 -w25 {}"]
 
 
@@ -193,7 +193,7 @@ def main():
         with open(f"{WORK}/a.bin", "wb") as file:
             file.write(data)
         for tool in TOOLS:
-            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "od -v -x {}")  # to whole words
+            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "hexdump -v -x {}", "od -v -x {}")  # to whole words
             if shutil.which(tool.split()[0]) and not isPadded:
                 ways[f"{tool.format('FILE')} of {name}"] = subprocess.run(tool.format("a.bin"), shell=True, cwd=WORK, capture_output=True, text=True, encoding="latin-1").stdout
     good = 0

@@ -54,6 +54,7 @@ bool takeMark(std::string_view &word) {
 
 // Returns true for eight digits of 0 and 1: bits, if all numbers are like this.
 bool isBits(std::string_view word) {
+  word.remove_prefix(word.size() == 10 && word.substr(0, 2) == "0b" ? 2 : 0);
   return word.size() == 8 && word.find_first_not_of("01") == word.npos;
 }
 
@@ -392,7 +393,7 @@ std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
     return {};
   }
   if (hasOffsets()) {  // without the text beside the bytes; the last word may stand apart
-    text = text.substr(0, isTextAt(text, _width) ? _width : std::min({text.find("  "), text.find(" |"), text.find(" ;")}));
+    text = text.substr(0, isTextAt(text, _width) ? _width : std::min({text.size() > _width ? text.find("  ") : text.npos, text.find(" |"), text.find(" ;")}));
   }
   bool isAssigned, areAtEnd;
   const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
