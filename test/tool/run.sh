@@ -186,6 +186,11 @@ for source in sim sim:24 sim:32 sim:noise=60 sim:sbus2; do
     verdict $? "what decode ${option:-in a table} prints of $source is read again: $(grep -c '"frame"' "$work/wanted") frames"
   done
 done
+"$sbus" hex "$work/paper.vcd" >"$work/wanted" && { echo '$ sbus decode paper.vcd'; "$sbus" decode "$work/paper.vcd"; } >"$work/printed.txt" &&
+  "$sbus" hex "$work/printed.txt" | cmp - "$work/wanted" && sed 1,3d "$work/printed.txt" >"$work/rows.txt" && "$sbus" hex "$work/rows.txt" | cmp - "$work/wanted"
+verdict $? "with a terminal's prompt before it, or from the heading on, it is read, too"
+sed 's/time ms/time s/' "$work/printed.txt" >"$work/wrong.txt"
+rejected "sbus hex: $work/wrong.txt:4: times in ms are expected, as sbus decode prints them" hex "$work/wrong.txt"
 rejected "$work/paper.vcd:24: \"24\" is not allowed after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf 'time,CH17,CH18\n0.2,0,1\n0.4,1,0\n' >"$work/times.csv"
 "$sbus" monitor "$work/times.csv" --simulated-time | grep -q '^ *0\.[45][0-9]*  .*1 *0'

@@ -208,6 +208,8 @@ if [ -n "$have_sigrok" ]; then
     sigrok-cli -i "$work/sigrok.sr" -O $form | decoded - | cmp - "$golden"
     verdict $? "decode reads the output of sigrok-cli -O $form"
   done
+  sigrok-cli -I vcd -i "$work/sbus2.vcd" -O csv >"$work/meta.csv" && grep -q '^META samplerate' "$work/meta.csv" && decoded "$work/meta.csv" | cmp - "$golden"
+  verdict $? "decode reads sigrok-cli's CSV with the line META samplerate in it"
 fi
 
 # The tables of Saleae's analyser say nothing about the wire.

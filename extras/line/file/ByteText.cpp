@@ -86,12 +86,6 @@ void forEachWord(std::string_view text, const Take &take) {
   }
 }
 
-bool hasNumber(std::string_view text) {
-  bool has = false;
-  forEachWord(text, [&has](std::string_view word, std::string_view) { has = has || isNumber(word); });
-  return has;
-}
-
 // Reads a number with one digit, or bytes of two digits. Returns false for other words.
 bool takeHex(std::string_view word, TextBytes &bytes) {
   const bool isBad = takeEnd(word, '!');
@@ -163,18 +157,26 @@ bool isTextAt(std::string_view line, size_t at) {
   return at > 0 && at <= line.size() && (line.substr(at, 2) == "  " || withoutBlanks(line.substr(at)).empty());
 }
 
-// Returns the part of a line that may hold bytes: without the text of a dump, a comment, and what is assigned to.
+// Returns the part of a line that holds its bytes: not a comment, and of what is on both sides of a = that with most numbers.
 std::string_view contentOf(std::string_view text, bool &isAssigned) {
-  text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;
   for (const char *const mark : {"//", "/*", "#"}) {
     text = text.substr(0, text.find(mark));
   }
-  size_t equals = text.rfind('=');
-  if (equals != text.npos && text.substr(equals).find_first_not_of("= \t{[(") == 1 && !hasNumber(text.substr(equals))) {
-    equals = text.substr(0, equals).rfind('=');  // before dtype=uint8)
+  std::string_view best;
+  size_t most = 0;
+  isAssigned = false;
+  for (size_t begin = 0; begin <= text.size();) {
+    const std::string_view part = text.substr(begin, text.find('=', begin) - begin);
+    size_t count = 0;
+    forEachWord(part, [&count](std::string_view word, std::string_view) { count += isNumber(word); });
+    if (count >= most) {
+      isAssigned = begin > 0;
+      best = part;
+      most = count;
+    }
+    begin += part.size() + 1;
   }
-  isAssigned = equals != text.npos;
-  return text.substr(equals + 1);
+  return best;
 }
 
 Numbers allNumbers(std::string_view text, bool &areAtEnd) {
@@ -184,8 +186,7 @@ Numbers allNumbers(std::string_view text, bool &areAtEnd) {
     const bool isNegative = before.size() > 1 && before.back() == '-' && isOneOf(before[before.size() - 2], " ,[{(");
     before.remove_suffix(isNegative ? 1 : 0);
     const size_t sign = before.find_last_not_of(" '\"");
-    const bool isPython = word == "b" && word.data() + 1 < text.data() + text.size() && isOneOf(word.data()[1], "'\"");
-    const bool is = isNumber(word) && !isPython;
+    const bool is = isNumber(word);
     if (is) {
       all.push_back({word, isAfterNumber ? signOf(before) : '\0', isNegative,
                      sign != before.npos && isOneOf(before[sign], "[{(<")});

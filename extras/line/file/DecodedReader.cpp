@@ -10,20 +10,31 @@
 
 namespace line {
 
+// What a terminal shows before it is left out.
 bool DecodedReader::reads(std::string_view text) {
-  const std::string_view first = takeLine(text);
-  return first.substr(0, 7) == "signal " && (first.find(" carries S.Bus") != first.npos || first.find(" but no frame of S.Bus") != first.npos);
+  bool reads = false;
+  for (int lines = 0; lines < 5 && !text.empty() && !reads; lines++) {
+    std::string_view line = takeLine(text);
+    const bool isFound = line.find(" carries S.Bus") != line.npos || line.find(" but no frame of S.Bus") != line.npos;
+    const std::string_view first = takeWord(line), second = takeWord(line);
+    reads = (first == "signal" && isFound) || (first == "time" && second == "ms" && (takeWord(line) == "CH1" || takeWord(line).empty()));
+  }
+  return reads;
 }
 
 LineSettings DecodedReader::settings(std::string_view text) {
-  const std::string_view first = takeLine(text);
-  return settingsIn("# " + std::string(first.substr(first.rfind(": ") + 2)));
+  const size_t begin = text.find(" carries S.Bus");
+  const std::string_view line = text.substr(0, text.find('\n', begin));
+  return settingsIn("# " + std::string(line.substr(line.rfind(": ") + 2)));
 }
 
 // A blank line ends a table: a heading comes next, or what the whole capture has.
 std::string DecodedReader::line(std::string_view text, std::deque<Character> &characters) {
   std::string_view rest = text;
   const std::string_view first = takeWord(rest), values = rest, second = takeWord(rest);
+  if (first == "time" && second != "ms") {
+    return "times in ms are expected, as sbus decode prints them";
+  }
   if (first.empty() || first == "time") {
     _columns.clear();
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
