@@ -3,235 +3,22 @@
 #include <algorithm>
 #include <iterator>
 
-#include "line/recording/Words.h"
 #include "sbus/Frame.h"
 
 namespace line {
 
-// A number of a line, and what stands before it.
-struct TextNumber {
-  std::string_view text;
-  char sign;        // between it and the number before it: see signOf()
-  bool isNegative;  // of signed decimal bytes
-  bool isFirst;     // a bracket opens before it
-};
-
 namespace {
 
-using Numbers = std::vector<TextNumber>;
-
 constexpr size_t HeadLines = 200;  // to examine
-constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
 constexpr size_t HeadNumbers = 9;  // before a line's bytes: those of a date and a time, a count
 constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
 
-bool isHexDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
-
-bool isLetterOrDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool isOneOf(char c, std::string_view set) {
-  return set.find(c) != set.npos;
-}
-
-bool takeEnd(std::string_view &word, char end) {
-  const bool has = word.size() > 1 && word.back() == end;
-  word.remove_suffix(has ? 1 : 0);
-  return has;
-}
-
-bool takeMark(std::string_view &word) {
-  const bool has = word.size() > 2 && word[0] == '0' && (word[1] == 'x' || word[1] == 'X');
-  word.remove_prefix(has ? 2 : 0);
-  return has;
-}
-
-// Returns true for eight digits of 0 and 1: bits, if all numbers are like this.
-bool isBits(std::string_view word) {
-  word.remove_prefix(word.size() == 10 && word.substr(0, 2) == "0b" ? 2 : 0);
-  return word.size() == 8 && word.find_first_not_of("01") == word.npos;
-}
-
-// Returns true if bytes may be written like this. 0x and up to 16 digits is an address.
-bool isNumber(std::string_view word) {
-  takeEnd(word, '!');
-  const bool isMarked = takeMark(word);
-  const size_t size = word.size();
-  const bool isOdd = size % 2 != 0 && size > 1 && !(size == 3 && std::all_of(word.begin(), word.end(), isDigit));
-  return size > 0 && std::all_of(word.begin(), word.end(), isHexDigit) && !isOdd &&
-         !(isMarked && size > 2 && size <= 16);
-}
-
-// Calls take(word, what precedes it) for each word of letters and digits. ! ends a word.
-template <typename Take>
-void forEachWord(std::string_view text, const Take &take) {
-  for (size_t at = 0, before = 0; at < text.size();) {
-    const size_t begin = at;
-    while (at < text.size() && isLetterOrDigit(text[at])) {
-      at++;
-    }
-    at += at > begin && at < text.size() && text[at] == '!';
-    if (at > begin) {
-      take(text.substr(begin, at - begin), text.substr(before, begin - before));
-      before = at;
-    } else {
-      at++;
-    }
-  }
-}
-
-// Reads a number with one digit, or bytes of two digits. Returns false for other words.
-bool takeHex(std::string_view word, TextBytes &bytes) {
-  const bool isBad = takeEnd(word, '!');
-  takeMark(word);
-  for (size_t at = 0; at < word.size(); at += 2) {
-    uint8_t value;
-    const std::string_view digits = word.substr(at, 2);
-    if (!parseWhole(digits, value, 16) || (digits.size() == 1 && word.size() > 1)) {
-      return false;
-    }
-    bytes.push_back({value, isBad && at + 2 >= word.size()});
-  }
-  return !word.empty();
-}
-
-// Returns the sign between two numbers of a list; 0 if they are not of one.
-char signOf(std::string_view between) {
-  std::string signs;
-  for (const char c : between) {
-    signs += isBlank(c) || c == '\'' || c == '"' ? "" : std::string(1, c);
-  }
-  const bool isAlone = signs.size() == between.size();
-  return signs.empty()                                                                 ? ' '
-         : signs.size() == 1 && isOneOf(signs[0], isAlone ? ",;|:-._" : ",;|")         ? signs[0]
-         : signs.size() == 2 && isOneOf(signs[0], "]})>") && isOneOf(signs[1], "[{(<") ? '['
-                                                                                       : '\0';
-}
-
-// Takes the character after a backslash, as Python and C write it. Returns false for others.
-bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
-  constexpr std::string_view Letters = "abfnrtv\\'\"";
-  constexpr std::string_view Values = "\a\b\f\n\r\t\v\\'\"";
-  const char letter = at < text.size() ? text[at] : '\0';
-  if (letter == 'x') {
-    at += 3;
-    return at <= text.size() && parseWhole(text.substr(at - 2, 2), value, 16);
-  }
-  const size_t known = Letters.find(letter);
-  value = known == Letters.npos ? uint8_t{0} : static_cast<uint8_t>(Values[known]);
-  at++;
-  return known != Letters.npos;
-}
-
-// Reads the strings in a line; without quotation marks, from the first backslash to the end.
-std::string readStrings(std::string_view text, TextBytes &bytes) {
-  const size_t escape = text.find('\\');
-  const size_t mark = text.find_first_of("'\"");
-  const bool isBare = mark > escape || mark == text.npos;
-  for (size_t at = isBare ? escape : mark; at < text.size();) {
-    const char quote = isBare ? '\0' : text[at++];
-    while (at < text.size() && (isBare || text[at] != quote)) {
-      const size_t from = at;
-      TextByte byte{static_cast<uint8_t>(text[at++]), false};
-      if (text[from] == '\\' && !takeEscape(text, at, byte.value)) {
-        return quoted(text.substr(from, 4)) + " is not an escape of Python or C, such as \\x0f";
-      }
-      bytes.push_back(byte);
-    }
-    if (!isBare && at == text.size()) {
-      return "a string has no end: is the line cut?";
-    }
-    at = isBare ? at : text.find_first_of("'\"", at + 1);
-  }
-  return {};
-}
-
 // Returns true if the bytes of a dump's line end here, and text may follow.
 bool isTextAt(std::string_view line, size_t at) {
   return at > 0 && at <= line.size() && (line.substr(at, 2) == "  " || withoutBlanks(line.substr(at)).empty());
-}
-
-// Returns the part of a line that holds its bytes: not a comment, and of what is on both sides of a = that with most numbers.
-std::string_view contentOf(std::string_view text, bool &isAssigned) {
-  for (const char *const mark : {"//", "/*", "#"}) {
-    text = text.substr(0, text.find(mark));
-  }
-  std::string_view best;
-  size_t most = 0;
-  isAssigned = false;
-  for (size_t begin = 0; begin <= text.size();) {
-    const std::string_view part = text.substr(begin, text.find('=', begin) - begin);
-    size_t count = 0;
-    forEachWord(part, [&count](std::string_view word, std::string_view) { count += isNumber(word); });
-    if (count >= most) {
-      isAssigned = begin > 0;
-      best = part;
-      most = count;
-    }
-    begin += part.size() + 1;
-  }
-  return best;
-}
-
-Numbers allNumbers(std::string_view text, bool &areAtEnd) {
-  Numbers all;
-  bool isAfterNumber = false;
-  forEachWord(text, [&](std::string_view word, std::string_view before) {
-    const bool isNegative = before.size() > 1 && before.back() == '-' && isOneOf(before[before.size() - 2], " ,[{(");
-    before.remove_suffix(isNegative ? 1 : 0);
-    const size_t sign = before.find_last_not_of(" '\"");
-    const bool is = isNumber(word);
-    if (is) {
-      all.push_back({word, isAfterNumber ? signOf(before) : '\0', isNegative,
-                     sign != before.npos && isOneOf(before[sign], "[{(<")});
-    }
-    isAfterNumber = is;
-  });
-  areAtEnd = isAfterNumber;
-  return all;
-}
-
-// Numbers with the same sign between them.
-struct Runs {
-  Numbers bytes;  // of all runs that are not too short
-  Numbers last;   // the last run
-  size_t count = 0;
-};
-
-Runs runsOf(const Numbers &all) {
-  Runs runs;
-  for (size_t begin = 0, end = 0, taken = 0; begin < all.size();
-       begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
-    for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
-    }
-    // The end of 18:12:30,345 is no byte; after bytes, as a field of its own, or with two digits, it is one.
-    std::string_view digits = all[begin].text;
-    const bool isByte = takeMark(digits) || digits.size() == 2;
-    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':' || isByte);
-    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
-    runs.last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
-    const bool isLong = std::any_of(runs.last.begin(), runs.last.end(),
-                                    [](const TextNumber &each) { return each.text.size() >= 4 * RunLeast; });
-    if (runs.last.size() >= RunLeast || isLong) {
-      runs.bytes.insert(runs.bytes.end(), runs.last.begin(), runs.last.end());
-      taken = end;
-    }
-    runs.count++;
-  }
-  return runs;
-}
-
-// Returns true if the last numbers are those of a date or a time.
-bool endsWithTime(const Numbers &all, const Numbers &last) {
-  const size_t size = all.size();
-  return size > last.size() && size > 2 && isOneOf(all[size - 1].sign, ":.-") && isOneOf(all[size - 2].sign, ":.-");
 }
 
 // Returns true if hardly a line has more than one byte, and its number before it: [3] = 0x1F, 3: 1F, 3 1F.
@@ -260,27 +47,6 @@ bool beginsWithFrame(const TextBytes &bytes) {
 }
 
 }  // namespace
-
-std::string parseHex(std::string_view text, TextBytes &bytes) {
-  std::string wrong;
-  forEachWord(text, [&](std::string_view word, std::string_view) {
-    const size_t before = bytes.size();
-    if (wrong.empty() && !takeHex(word, bytes)) {
-      takeMark(word);
-      wrong = word.substr(std::min(word.size(), 2 * (bytes.size() - before)), 2);
-    }
-  });
-  return wrong;
-}
-
-bool parseHex(std::string_view text, std::vector<Character> &characters) {
-  TextBytes bytes;
-  const bool isGood = parseHex(text, bytes).empty() && !bytes.empty();
-  for (const TextByte &byte : bytes) {
-    characters.push_back({0, byte.value, byte.bad});
-  }
-  return isGood;
-}
 
 ByteText::ByteText(std::string_view head, bool isWhole) {
   findOffsets(head);
@@ -387,7 +153,7 @@ void ByteText::findStyle(std::string_view head) {
 
 // Returns the numbers of a line that are its bytes: those in runs with the same sign between them. On a line with fewer
 // bytes they are the last numbers. What precedes them is a log's: a date, a time, an address, a label.
-std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
+Numbers ByteText::numbersOf(std::string_view line) const {
   std::string_view text = withoutBlanks(line);
   uint64_t offset;
   if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
@@ -423,7 +189,7 @@ std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
   return areBytes ? runs.last : Numbers();
 }
 
-bool ByteText::isFrame(const std::vector<TextNumber> &numbers) const {
+bool ByteText::isFrame(const Numbers &numbers) const {
   TextBytes bytes;
   for (const TextNumber &number : numbers) {
     read(number, bytes);

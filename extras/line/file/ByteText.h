@@ -7,22 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "line/Line.h"
+#include "line/file/TextNumbers.h"
 
 namespace line {
-
-struct TextByte {
-  uint8_t value;
-  bool bad;  // marked by !, as in the output of `sbus hex`
-};
-using TextBytes = std::vector<TextByte>;
-struct TextNumber;
-
-// Reads bytes in hexadecimal: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3. Returns the first word that is none, or nothing.
-std::string parseHex(std::string_view text, TextBytes &bytes);
-
-// Reads such bytes as characters without times. Returns false for other words, and without any.
-bool parseHex(std::string_view text, std::vector<Character> &characters);
 
 class ByteText {
  public:
@@ -59,8 +46,8 @@ class ByteText {
   void findOffsets(std::string_view head);
   void findStyle(std::string_view head);
   bool takeOffset(std::string_view &text, uint64_t &offset) const;
-  std::vector<TextNumber> numbersOf(std::string_view line) const;
-  bool isFrame(const std::vector<TextNumber> &numbers) const;
+  Numbers numbersOf(std::string_view line) const;
+  bool isFrame(const Numbers &numbers) const;
   std::string read(const TextNumber &number, TextBytes &bytes) const;
 
   int _offsetBase = 0;       // 0: there are no offsets
