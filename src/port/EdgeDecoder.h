@@ -23,8 +23,8 @@ constexpr uint8_t LongRise = 2;  // the line has been low for as long
 // shorter pulse cancels out.
 //
 // After such a fault nothing counts until the line has idled for a character: a frame that lacks a character is lost
-// anyway. After missed edges, or if nobody reads the characters in time, those that wait are dropped, and takeLoss()
-// tells: frames on both sides are not joined.
+// anyway. After missed edges, or if nobody reads the characters in time, those that wait are dropped, and the next
+// read() fails: so the reader knows of the loss, and does not join frames on both sides.
 class EdgeDecoder {
  public:
   static constexpr uint8_t Room = 64;      // characters
@@ -91,31 +91,21 @@ class EdgeDecoder {
     fail();
   }
 
-  // Returns how many characters wait.
-  uint8_t available() const { return _count; }
-  // Returns the oldest; undefined if none waits.
-  uint8_t peek() const { return _characters[_first]; }
-  // Returns and removes the oldest; undefined if none waits.
-  uint8_t read() {
-    const uint8_t character = peek();
+  // Returns how many characters wait. If some were lost before them, returns 1: the first read() then tells that.
+  uint8_t available() const { return _isLost ? 1 : _count; }
+  // Returns what read() would return; undefined if available() is 0.
+  int peek() const { return _isLost ? -1 : _characters[_first]; }
+  // Returns and removes the oldest character, or returns -1 once if characters were lost before it; undefined if
+  // available() is 0.
+  int read() {
+    if (_isLost) {
+      _isLost = false;
+      return -1;
+    }
+    const uint8_t character = _characters[_first];
     _first = static_cast<uint8_t>((_first + 1) % Room);
     _count--;
     return character;
-  }
-  // Reads up to `size` characters. Returns how many.
-  int read(uint8_t *buffer, size_t size) {
-    uint8_t count = size < _count ? static_cast<uint8_t>(size) : _count;
-    const uint8_t all = count;
-    for (; count != 0; count--) {
-      *buffer++ = read();
-    }
-    return all;
-  }
-  // Returns true if characters were lost before those that wait, once for each loss.
-  bool takeLoss() {
-    const bool isLost = _isLost;
-    _isLost = false;
-    return isLost;
   }
 
  private:
@@ -249,7 +239,7 @@ class EdgeDecoder {
 
   uint8_t _start;             // the code of a start bit's edge after an idle line
   bool _isBroken;             // waits for an idle line
-  bool _isLost;               // for takeLoss()
+  bool _isLost;               // the next read() fails
   uint8_t _before = 0, _time;  // of the newest two edges that count, ticks from the character's start
   uint8_t _carried;           // ticks from the edge at _before to one that has cancelled the one at _time; mostly 0
   uint8_t _bits = 0;          // the data, from the edges so far

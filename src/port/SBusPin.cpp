@@ -144,12 +144,10 @@ int SBusPin::read() {
   return _decoder.available() != 0 || available() != 0 ? _decoder.read() : -1;
 }
 
-bool sbus::pinHasLost(Stream &port) {
-  return &port == isOpen && static_cast<SBusPin &>(port).decoder().takeLoss();
-}
-
-int sbus::pinRead(Stream &port, uint8_t *buffer, size_t size) {
-  return &port == isOpen ? static_cast<SBusPin &>(port).decoder().read(buffer, size) : -1;
+void sbus::closePin(Stream &port) {
+  if (&port == isOpen) {
+    static_cast<SBusPin &>(port).end();
+  }
 }
 
 #define SBUS_MEMORY(name) _SFR_MEM_ADDR(name)

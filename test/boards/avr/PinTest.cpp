@@ -142,7 +142,7 @@ void mask(Row &row, uint16_t shortest, uint16_t longest, uint16_t loops) {
 
 constexpr double Seconds = 2.4;  // frames come until 2.05
 
-std::string resultOf(const Row &row, const Wave &wave) {
+std::string resultOf(const avr::Model &model, const Row &row, const Wave &wave) {
   std::vector<uint8_t> eeprom;
   for (const uint16_t number : {row.shortest, row.longest, row.loops, row.pauseMs}) {
     eeprom.push_back(static_cast<uint8_t>(number));
@@ -150,7 +150,7 @@ std::string resultOf(const Row &row, const Wave &wave) {
   }
   avr::Line line;
   line.levels = wave.levels();
-  const AvrBoard board(avr::Uno, row.sketch, std::move(line), Seconds, eeprom);
+  const AvrBoard board(model, row.sketch, std::move(line), Seconds, eeprom);
   std::string last;
   for (const avr::Printed &printed : board.printed()) {
     last = avr::numbersIn(printed.text).empty() ? last : printed.text;
@@ -244,11 +244,14 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
     Row row;
     run.set(row);
     const Wave wave(row, Seconds);
-    const std::string result = resultOf(row, wave);
-    const avr::Numbers numbers = avr::numbersIn(result);
-    MESSAGE(std::string(run.name), ": ", wave.frames, " sent; received, wrong, overflows: ", result);
-    REQUIRE(numbers.size() == 3);
-    CHECK(numbers[1] == 0);
-    CHECK(numbers[0] + static_cast<double>(run.missed) >= static_cast<double>(wave.frames));
+    for (const avr::Model &model : {avr::Uno, avr::atComparator(avr::Mega)}) {
+      CAPTURE(std::string(model.name));
+      const std::string result = resultOf(model, row, wave);
+      const avr::Numbers numbers = avr::numbersIn(result);
+      MESSAGE(std::string(run.name), ", ", model.name, ": ", wave.frames, " sent; received, wrong, overflows: ", result);
+      REQUIRE(numbers.size() == 3);
+      CHECK(numbers[1] == 0);
+      CHECK(numbers[0] + static_cast<double>(run.missed) >= static_cast<double>(wave.frames));
+    }
   }
 }

@@ -22,7 +22,7 @@ uno := atmega328p UNO standard
 reason = $(strip $(if $(filter leonardo-PwmIn uno-PwmIn,$1-$2),needs four pins with interrupts) \
   $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),An SBusPin only receives))
 # Busy and Masked have a timer 2.
-ours = $(if $(filter mega,$1),$(filter-out Pin%,$(OURS_ALONE)),$(if $(filter leonardo,$1),Background InterruptsOff,Pin PinBackground))
+ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background InterruptsOff,Pin PinBackground))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
 sketches = $(filter-out $(call rejected,$1),$(EXAMPLES)) $(call ours,$1)
 elves = $(patsubst %,$(OUT)/$1/%.elf,$(call sketches,$1))
