@@ -248,7 +248,7 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
       CAPTURE(std::string(model.name));
       const std::string result = resultOf(model, row, wave);
       const avr::Numbers numbers = avr::numbersIn(result);
-      MESSAGE(std::string(run.name), ", ", model.name, ": ", wave.frames, " sent; received, wrong, overflows: ", result);
+      MESSAGE(std::string(run.name), ", ", std::string(model.name), ": ", wave.frames, " sent; received, wrong, overflows: ", result);
       REQUIRE(numbers.size() == 3);
       CHECK(numbers[1] == 0);
       CHECK(numbers[0] + static_cast<double>(run.missed) >= static_cast<double>(wave.frames));
