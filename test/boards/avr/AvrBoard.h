@@ -57,6 +57,13 @@ constexpr Model atComparator(Model model) {
   return model;
 }
 
+// Returns the board with the line at its USART 0, which then prints nothing.
+constexpr Model atPort(Model model) {
+  model.receiver = 0;
+  model.console = None;
+  return model;
+}
+
 constexpr size_t SBusInput = 4;
 
 // A level that comes to a pin from outside, one of Model::inputs, or SBusInput: a comparator's.

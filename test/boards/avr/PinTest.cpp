@@ -11,6 +11,7 @@
 
 #include "AvrBoard.h"
 #include "Expected.h"
+#include "line/Source.h"
 
 namespace {
 
@@ -254,4 +255,22 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
       CHECK(numbers[0] + static_cast<double>(run.missed) >= static_cast<double>(wave.frames));
     }
   }
+}
+
+TEST_CASE("a line on a pin takes at most 8 % of the processor's time more than on a hardware port") {
+  const auto loops = [](const avr::Model &model, const char *sketch, uint64_t cutUs) {
+    avr::Line line;
+    line.source = line::Source().open();
+    line.cutUs = cutUs;
+    const std::vector<uint8_t> eeprom = AvrBoard(model, sketch, std::move(line), 1.7).eeprom();
+    CHECK(eeprom[4] == (cutUs == 0 ? 0 : 111));  // frames, of 9 ms
+    return eeprom[0] + 256.0 * eeprom[1];
+  };
+  const auto share = [&loops](const avr::Model &model, const char *sketch) {
+    return 100 * (1 - loops(model, sketch, UINT64_MAX) / loops(model, sketch, 0));
+  };
+  const double pin = share(avr::Uno, "PinLoops"), port = share(avr::atPort(avr::Uno), "PinLoopsPort");
+  MESSAGE("a line takes, of the time of an Uno: on the pin ", pin, " %, on the port ", port, " %");
+  CHECK(pin - port > 2);
+  CHECK(pin - port <= 8);
 }
