@@ -69,8 +69,9 @@ class SBusPin : public Stream {
   /// @endcond
 
  private:
-  void decode();
-  void take(uint8_t head);
+  int decode();
+  int readLate();
+  uint8_t firstBefore(uint8_t head);
   void setTail(uint8_t tail);
 
   uint8_t _tail = 0;  // place of the oldest edge that has not been decoded

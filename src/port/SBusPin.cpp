@@ -28,6 +28,39 @@ uint8_t before(uint8_t place, uint8_t count) {
   return static_cast<uint8_t>(place - count);
 }
 
+// What PlainEdges does, in 21 cycles an edge; a compiler's loop takes 30 to 40.
+struct FastEdges {
+  static void take(const uint8_t *&edges, uint8_t &count, uint8_t &before, uint8_t &time, uint8_t &bits,
+                   uint8_t &level) {
+    uint8_t now;
+    asm("1: ld %[now], %a[edges]+\n"
+        "cpi %[now], %[shortest]\n"
+        "brlo 2f\n"
+        "add %[now], %[time]\n"
+        "brcs 2f\n"
+        "movw r30, %[masks]\n"
+        "add r30, %[now]\n"
+        "adc r31, __zero_reg__\n"
+        "lpm r30, Z\n"
+        "cpi r30, %[none]\n"
+        "breq 2f\n"
+        "eor %[bits], r30\n"
+        "com %[level]\n"
+        "mov %[before], %[time]\n"
+        "mov %[time], %[now]\n"
+        "dec %[count]\n"
+        "brne 1b\n"
+        "rjmp 3f\n"
+        "2: sbiw %[edges], 1\n"
+        "3:\n"
+        : [edges] "+x"(edges), [count] "+r"(count), [before] "+r"(before), [time] "+r"(time), [bits] "+r"(bits),
+          [level] "+r"(level), [now] "=&d"(now)
+        : [masks] "r"(sbus::EdgeDecoder::masks()), [shortest] "M"(sbus::EdgeDecoder::Shortest),
+          [none] "M"(sbus::EdgeDecoder::None)
+        : "r30", "r31", "memory");
+  }
+};
+
 // Waits for the next change of the comparator's output, with both edge detectors. (The output is high while the line is
 // low.)
 void await() {
@@ -38,6 +71,23 @@ void await() {
 }
 
 }  // namespace
+
+// Returns the place of the oldest edge. If there were more than the buffer holds, the two places before it have been
+// overwritten, too: then it is the newest of them.
+inline uint8_t SBusPin::firstBefore(uint8_t head) {
+  constexpr uint8_t Coming = 8;  // edges, at most, until they are taken
+  if (sbusPinEdges[before(_tail, 1)] != Untouched || sbusPinEdges[before(_tail, 2)] != Untouched) {
+    _decoder.lose();
+    return static_cast<uint8_t>(head + Coming);
+  }
+  return _tail;
+}
+
+inline void SBusPin::setTail(uint8_t tail) {
+  _tail = tail;
+  sbusPinEdges[before(tail, 1)] = Untouched;
+  sbusPinEdges[before(tail, 2)] = Untouched;
+}
 
 bool SBusPin::begin(bool inverted) {
   if (isOpen != nullptr && isOpen != this) {
@@ -78,70 +128,47 @@ void SBusPin::end() {
 }
 
 int SBusPin::available() {
-  if (sbusPinHead != _tail || _decoder.isOpen()) {
-    decode();
+  return sbusPinHead != _tail || _decoder.isOpen() ? decode() : _decoder.available();
+}
+
+// Takes all edges, and completes a character that needs no more. Returns how many wait. (The next call takes the edges
+// that come meanwhile.)
+int SBusPin::decode() {
+  if (isOpen == this) {
+    const uint8_t head = sbusPinHead;
+    if (head != _tail) {
+      uint8_t tail = firstBefore(head);
+      do {
+        tail = _decoder.take<FastEdges>(const_cast<const uint8_t *>(sbusPinEdges), tail, head);
+      } while (tail != head);
+      setTail(head);
+    }
+    if (_decoder.isOpen()) {
+      const uint8_t state = SREG;
+      cli();
+      const uint16_t now = TCNT1, last = sbusPinLast;
+      const bool isRound = (TIFR1 & _BV(TOV1)) != 0 && now >= last;  // the timer has gone round
+      const bool isNew = sbusPinHead != head || (TIFR1 & _BV(ICF1)) != 0;
+      SREG = state;
+      if (!isNew) {
+        _decoder.idle(isRound ? UINT16_MAX : static_cast<uint16_t>(now - last));
+      }
+    }
   }
   return _decoder.available();
 }
 
-void SBusPin::decode() {
-  if (isOpen != this) {
-    return;
-  }
-  for (;;) {
-    const uint8_t head = sbusPinHead;
-    if (head != _tail) {
-      take(head);
-    }
-    if (!_decoder.isOpen()) {
-      return;
-    }
-    const uint8_t state = SREG;
-    cli();
-    const uint16_t now = TCNT1, last = sbusPinLast;
-    const bool isRound = (TIFR1 & _BV(TOV1)) != 0 && now >= last;  // the timer has gone round
-    const bool isNew = sbusPinHead != head || (TIFR1 & _BV(ICF1)) != 0;
-    SREG = state;
-    if (!isNew) {
-      _decoder.idle(isRound ? UINT16_MAX : static_cast<uint16_t>(now - last));
-      return;
-    }
-  }
-}
-
-// Takes all edges before `head`. If there were more than the buffer holds, the two places before the oldest have been
-// overwritten, too: then it takes the newest of them.
-void SBusPin::take(uint8_t head) {
-  constexpr uint8_t Coming = 8;  // edges, at most, while this runs
-  const uint8_t *const edges = const_cast<const uint8_t *>(sbusPinEdges);
-  uint8_t tail = _tail;
-  if (edges[before(tail, 1)] != Untouched || edges[before(tail, 2)] != Untouched) {
-    _decoder.lose();
-    tail = static_cast<uint8_t>(head + Coming);
-  }
-  for (;;) {
-    const uint8_t count = static_cast<uint8_t>((head > tail ? head : 0) - tail);
-    _decoder.take(edges + tail, count);
-    tail = static_cast<uint8_t>(tail + count);
-    if (tail == head) {
-      break;
-    }
-  }
-  setTail(head);
-}
-
-void SBusPin::setTail(uint8_t tail) {
-  _tail = tail;
-  sbusPinEdges[before(tail, 1)] = Untouched;
-  sbusPinEdges[before(tail, 2)] = Untouched;
-}
-
 int SBusPin::peek() {
-  return available() != 0 ? _decoder.peek() : -1;
+  return available() != 0 && _decoder.isReady() ? _decoder.peek() : -1;
 }
 
 int SBusPin::read() {
-  return _decoder.available() != 0 || available() != 0 ? _decoder.read() : -1;
+  return _decoder.isReady() ? _decoder.read() : readLate();
+}
+
+// Reads if no character waits yet, or some were lost.
+int SBusPin::readLate() {
+  return available() != 0 ? _decoder.read() : -1;
 }
 
 void sbus::closePin(Stream &port) {
