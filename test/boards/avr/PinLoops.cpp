@@ -1,6 +1,6 @@
 // A sketch that receives on an SBusPin, or with PORT on a hardware port, and counts for a second how often it does a
-// piece of work in which nothing comes from the line: the EEPROM then begins with the number of loops, four bytes, and
-// of new frames.
+// piece of work: the EEPROM then begins with the number of loops, four bytes, and of new frames. At micros() 1600000 and
+// at millis() 1650 the LED flashes.
 
 #include <Arduino.h>
 #include <DecodeSBus.h>
@@ -19,9 +19,15 @@ DecodeSBus dSBus(pin);
 #endif
 SBusFrame frame;
 
+void flash() {
+  digitalWrite(LED_BUILTIN, HIGH);
+  digitalWrite(LED_BUILTIN, LOW);
+}
+
 }  // namespace
 
 void setup() {
+  pinMode(LED_BUILTIN, OUTPUT);
   dSBus.begin();
   while (millis() < 500) {
     dSBus.read(frame);
@@ -35,6 +41,12 @@ void setup() {
   }
   EEPROM.put(0, loops);
   EEPROM.put(4, frames);
+  while (micros() < 1600000) {
+  }
+  flash();
+  while (millis() < 1650) {
+  }
+  flash();
 }
 
 void loop() {
