@@ -368,7 +368,10 @@ class DecodeSBusOf : protected Polling {
     int waiting = found;
     while (waiting != 0) {
       const int count = readBytes(split != 0 && split < waiting ? split : waiting);
-      if (count <= 0) {
+      if (count <= 0) {  // the port fails, or tells a loss
+        if (!sbus::Port::TellsLoss || Events::wantsTimes()) {
+          return;
+        }
         break;
       }
       waiting -= count;
@@ -380,9 +383,8 @@ class DecodeSBusOf : protected Polling {
         split = 0;
       }
     }
-    // A port that hands over less than it has announced fails, or is an SBusPin, which tells a loss so. Otherwise,
-    // counting the bytes that have arrived since, its buffer may have overflowed before it was read: then those bytes may
-    // stand before the loss or after it.
+    // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
+    // bytes may stand before the loss or after it.
     int more = 0;
     if (waiting == 0 && bytes > _port.half() && _port.losesNewest()) {
       more = _port.available();

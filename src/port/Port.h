@@ -19,6 +19,13 @@ __attribute__((weak)) void closePin(Stream &port);
 // A serial port of any class.
 class Port : private CoreKind::Pins {
  public:
+  // An SBusPin announces a byte that it does not hand over where it has lost some; a sensor cannot have one, as it sends.
+#if defined(SBUS_PIN)
+  static constexpr bool TellsLoss = true;
+#else
+  static constexpr bool TellsLoss = false;
+#endif
+
   // Remembers `port`.
   template <typename Class>
   explicit Port(Class &port) : Port(port, Pins()) {}
