@@ -48,7 +48,8 @@ PREFIX ?= /usr/local
 installed := $(subst ','\'',$(DESTDIR)$(PREFIX))
 install: $(if $(filter file,$(origin SBUS)),sbus)
 	@install -D '$(subst ','\'',$(SBUS))' '$(installed)/bin/sbus'
-	@install -D -m 644 extras/cli/sbus.1 '$(installed)/share/man/man1/sbus.1'
+	@install -D -m 644 /dev/null '$(installed)/share/man/man1/sbus.1'
+	@'$(subst ','\'',$(SBUS))' __manual <extras/cli/sbus.1.in >'$(installed)/share/man/man1/sbus.1'
 	@install -D -m 644 extras/cli/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
 	@install -D -m 644 extras/cli/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'
 	@install -D -m 644 extras/cli/completion.bash '$(installed)/share/bash-completion/completions/sbus'

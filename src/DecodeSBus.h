@@ -244,7 +244,7 @@ class DecodeSBusOf : protected Polling {
       age = _link.age(_link.ageOf(time));
       const sbus::LinkState state = _link.state(age);
       sbus::barrier();
-      if (time == _finder.frameTime()) {
+      if (!sbus::ListeningPort::Calls || time == _finder.frameTime()) {
         constexpr uint32_t Old = 100000;  // us
         if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || age >= Old)) {
           pollAll(false);  // if the port's call was lost, the next one comes only after a poll
@@ -280,7 +280,7 @@ class DecodeSBusOf : protected Polling {
       lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
       failsafe = _link.isLost() || (Format::ZeroMeansLost && sbus::hasNoPulses(channels));  // the array has kept none
       sbus::barrier();
-    } while (number != _finder.counters().frames);
+    } while (sbus::ListeningPort::Calls && number != _finder.counters().frames);
     _decoded = number;
   }
 
@@ -355,8 +355,7 @@ class DecodeSBusOf : protected Polling {
       return;
     }
     const unsigned bytes = static_cast<unsigned>(found);
-    // (A sensor's port also sends, which an SBusPin cannot.)
-    if ((!Events::wantsTimes() && _port.hasLost()) || _port.mayHaveLostOldest(bytes)) {
+    if (_port.mayHaveLostOldest(bytes)) {
       _finder.bytesLost();  // the bytes that wait stand after the loss
     }
     int split = 0;
@@ -366,10 +365,14 @@ class DecodeSBusOf : protected Polling {
       // On an AVR only interrupts can stop loop(), and not for long: spare it 60 bytes, and polls that take longer.
       _finder.poll(bytes, sbus::LineTiming::ClockRuns ? asked : now, now);
     }
-    for (int waiting = found; waiting > 0;) {
+    int waiting = found;
+    while (waiting != 0) {
       const int count = readBytes(split != 0 && split < waiting ? split : waiting);
-      if (count <= 0) {
-        return;  // the port fails
+      if (count <= 0) {  // the port fails, or tells a loss
+        if (!sbus::Port::TellsLoss || Events::wantsTimes()) {
+          return;
+        }
+        break;
       }
       waiting -= count;
       if (const uint8_t *const frame = _finder.received(count, waiting)) {
@@ -382,19 +385,21 @@ class DecodeSBusOf : protected Polling {
     }
     // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
     // bytes may stand before the loss or after it.
-    if (bytes > _port.half() && _port.losesNewest()) {
-      int more = _port.available();
-      if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
-        _finder.bytesLost();
-        while (more > 0) {
-          const int count = readBytes(more);
-          if (count <= 0) {
-            return;
-          }
-          more -= count;
+    int more = 0;
+    if (waiting == 0 && bytes > _port.half() && _port.losesNewest()) {
+      more = _port.available();
+      waiting = static_cast<unsigned>(found + more) > 2 * _port.half();
+    }
+    if (waiting != 0) {
+      _finder.bytesLost();
+      while (more > 0) {
+        const int count = readBytes(more);
+        if (count <= 0) {
+          return;
         }
-        return;
+        more -= count;
       }
+      return;
     }
     if (_port.isIdle()) {
       if (const uint8_t *const frame = _finder.ended()) {

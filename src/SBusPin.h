@@ -8,10 +8,10 @@
 #include "port/PortKind.h"
 
 #if !defined(SBUS_PIN)
-#error "SBusPin needs an ATmega328P, 168 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
+#error "SBusPin needs an ATmega328P, 168, 1280, 2560 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
 #else
 
-/// A port that receives an S.Bus line on a pin: Uno R3, Nano, Pro Mini 7; ATmega1284P 3 (PB3).
+/// A port that receives an S.Bus line on a pin: Uno R3, Nano, Pro Mini 7; Mega 5; ATmega1284P 3 (PB3).
 ///
 ///     SBusPin pin;
 ///     DecodeSBus dSBus(pin);
@@ -24,7 +24,7 @@
 /// time: the other receives nothing.
 ///
 /// While it is open, timer 1 counts from 0 to 65535 in steps of 0.5 us. Its compare units remain usable; analogWrite()
-/// on its pins (Uno: 9, 10) and the library Servo are not: extras/docs/boards.md, "SBusPin".
+/// on its pins (Uno: 9, 10; Mega: 11, 12) and the library Servo are not: extras/docs/boards.md, "SBusPin".
 class SBusPin : public Stream {
  public:
   static constexpr uint8_t Pin = SBUS_PIN;  ///< the board's number of the pin
@@ -39,11 +39,12 @@ class SBusPin : public Stream {
   /// Closes the pin, and gives timer and comparator back as they were.
   void end();
 
-  /// Returns how many characters wait. Call it at least every 5 ms: 255 edges are held, two frames or less.
+  /// Returns how many characters wait; 1 if some were lost before these. Call it at least every 5 ms: 255 edges are held,
+  /// two frames or less.
   int available() override;
-  /// Returns and removes the oldest character that waits; -1 if there is none.
+  /// Returns and removes the oldest character that waits. Returns -1 if there is none, and once after each loss.
   int read() override;
-  /// Returns the oldest character that waits; -1 if there is none.
+  /// Returns what read() would return.
   int peek() override;
   /// Sends nothing, and returns 0.
   size_t write(uint8_t) override { return 0; }
@@ -51,13 +52,10 @@ class SBusPin : public Stream {
 
   /// @cond  For the classes of this library.
 
-  // The decoder, which Port reads.
-  sbus::EdgeDecoder &decoder() { return _decoder; }
-
   // The kind of port, for PortKind.h.
   struct PortKind : sbus::Kind {
     static constexpr bool Inverts = true, BothWays = true, Sends = false;
-    static constexpr unsigned Buffer = 4 * sbus::EdgeDecoder::Room;  // never full: takeLoss() tells
+    static constexpr unsigned Buffer = 4 * sbus::EdgeDecoder::Room;  // never full: read() tells a loss
     template <typename Port, typename Pins>
     static unsigned open(Port &port, unsigned long baud, sbus::Config config, Pins) {
       port.end();
@@ -71,8 +69,9 @@ class SBusPin : public Stream {
   /// @endcond
 
  private:
-  void decode();
-  void take(uint8_t head);
+  int decode();
+  int readLate();
+  uint8_t firstBefore(uint8_t head);
   void setTail(uint8_t tail);
 
   uint8_t _tail = 0;  // place of the oldest edge that has not been decoded

@@ -37,7 +37,7 @@ alone
 -->
 last
 END
-sed -i 's/^\(\.TH SBUS 1\) "[^"]*"/\1 "2001-01-01"/' "$scratch/extras/cli/sbus.1"
+sed -i 's/^\(\.TH SBUS 1\) "[^"]*"/\1 "2001-01-01"/' "$scratch/extras/cli/sbus.1.in"
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE MAKEFLAGS MAKELEVEL
 git() { command git -C "$scratch" -c user.name=Test -c user.email=test@localhost "$@"; }
@@ -144,8 +144,8 @@ released() {
     grep -qxF "  \"repository\": {\"type\": \"git\", \"url\": \"$url\"}," "$scratch/library.json" &&
     [ "$(grep -cxF -e "version: \"$1\"" -e "url: $url" -e "repository: $url" "$scratch/idf_component.yml")" -eq 3 ] &&
     grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
-    grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/cli/sbus.1" &&
-    [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1$' | sed 's/^ M //' | tr '\n' ' ')" = "$files" ] &&
+    grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/cli/sbus.1.in" &&
+    [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1.in$' | sed 's/^ M //' | tr '\n' ' ')" = "$files" ] &&
     [ "$(grep -c 'gh label create [a-z]' "$out/release")" -eq "$(grep -l '^labels:' "$scratch"/.github/ISSUE_TEMPLATE/*.yml | wc -l)" ] &&
     grep -q 'extras/setup/tags.sh' "$out/release" && grep -q "adds $url to" "$out/release" && grep -q 'pio pkg publish' "$out/release" &&
     grep -q 'compote component upload --namespace somebody --name decodesbus$' "$out/release" || { cat "$out/release"; git diff; false; }

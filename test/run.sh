@@ -117,7 +117,7 @@ step_bench() { newlib && bench/bench.sh check; }
 newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
-step_figures() { after lines-5000 bench && ../extras/docs/figures.sh check; }
+step_figures() { after lines-5000 bench boards-avr && ../extras/docs/figures.sh check; }
 step_dist() {
   after scope
   export DIST="$BUILD/offered"  # dist.sh works in BUILD/dist

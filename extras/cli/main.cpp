@@ -48,7 +48,7 @@ int main(int argc, char **argv) {
   app.allow_windows_style_options(false);  // /tmp/flight.txt is a file, on Windows also
   tool::formatHelp(app);
   app.set_version_flag("--version", tool::versionText(), "print the version, and those of the libraries");
-  app.set_help_flag("-h,--help", "list the subcommands; after a subcommand, its options");
+  app.set_help_flag("-h,--help", "list the subcommands, as sbus alone does; after a subcommand, its options");
   app.set_help_all_flag("--help-all", "print the options of every subcommand");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a logic analyser's capture, bytes), - for "
@@ -59,6 +59,10 @@ int main(int argc, char **argv) {
   try {
     if (argc > 1 && std::strcmp(argv[1], "__complete") == 0) {  // of completion.bash, completion.zsh, completion.fish
       tool::printCompletions(app, {argv + 2, argv + argc});
+      return EXIT_SUCCESS;
+    }
+    if (argc > 1 && std::strcmp(argv[1], "__manual") == 0) {  // of the Makefile
+      tool::printManual(app);
       return EXIT_SUCCESS;
     }
     std::vector<std::string> words(argv + 1, argv + argc);

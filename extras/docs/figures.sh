@@ -49,6 +49,18 @@ check_times() {
   verdict $? "$page's times are its cycles"
 }
 
+# What test/boards/avr/PinTest.cpp says of the time that a line takes.
+check_pin() {
+  if [ ! -x "$BUILD/avr/BoardTest" ]; then
+    echo "skipped figures: a line on a pin, boards-avr has not been built"
+    return
+  fi
+  shares=$("$BUILD/avr/BoardTest" -tc='a line on a pin takes*' |
+    sed -n 's/.*: on the pin \([0-9.]*\) %, on the port \([0-9.]*\) %.*/\1 \2/p' | awk '{ printf "%.1f %.1f", $1, $2 }')
+  [ -n "$shares" ] && [ "$(on_page pin | sed -n 's/^|.* | \([0-9.]*\) |$/\1/p' | paste -sd ' ')" = "$shares" ]
+  verdict $? "a line on a pin: $shares %"
+}
+
 if [ "${1:-}" = check ]; then
   unset FRAMES SEED ONLY FULL SUMMARY BOUNDS RATES WITHOUT
   printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
@@ -56,6 +68,7 @@ if [ "${1:-}" = check ]; then
   check bench
   check impairment 'Fast S.Bus, bursts'
   check_times
+  check_pin
   exit
 fi
 

@@ -55,7 +55,7 @@ change library.json -e "s|^  \"version\": .*|  \"version\": \"$VERSION\",|" ${MA
   "s|^  \"authors\": .*|  \"authors\": [{\"name\": \"${MAINTAINER% <*}\", \"email\": \"$(echo "$MAINTAINER" | sed 's/.* <\(.*\)>/\1/')\", \"maintainer\": true}],|"}
 change idf_component.yml -e "s|^version: .*|version: \"$VERSION\"|"
 change CHANGELOG.md -e "s|^## Unreleased\$|## $VERSION, $(date +%F)|"
-change extras/cli/sbus.1 -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
+change extras/cli/sbus.1.in -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
 change README.md -e '/<!-- until the first release -->/,/<!-- from the first release$/d' \
   -e '/<!-- from the first release$/d' -e '/^ *-->$/d'
 # page URL: the scope's address on GitHub Pages

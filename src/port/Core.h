@@ -13,12 +13,13 @@
 #include <stm32l0_uart.h>    // the option bits, and the registers; Arduino.h lacks them
 #elif defined(__AVR__)
 #define SBUS_AVR
-// The pin of the analog comparator that can capture a line (SBusPin.h): AIN1, beside timer 1. A 32U4 has none. A Mega
-// has four ports: there each sketch, above all a sensor, would pay for it.
+// The pin of the analog comparator that can capture a line (SBusPin.h): AIN1, beside timer 1. A 32U4 has none.
 #if F_CPU == 16000000
 #if defined(__AVR_ATmega328P__) || defined(__AVR_ATmega328__) || defined(__AVR_ATmega328PB__) || \
     defined(__AVR_ATmega168__) || defined(__AVR_ATmega168P__)
 #define SBUS_PIN 7
+#elif defined(__AVR_ATmega2560__) || defined(__AVR_ATmega1280__)
+#define SBUS_PIN 5
 #elif defined(__AVR_ATmega1284P__) || defined(__AVR_ATmega644P__)
 #define SBUS_PIN 3  // PB3, as MightyCore counts
 #endif

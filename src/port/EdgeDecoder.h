@@ -23,58 +23,51 @@ constexpr uint8_t LongRise = 2;  // the line has been low for as long
 // shorter pulse cancels out.
 //
 // After such a fault nothing counts until the line has idled for a character: a frame that lacks a character is lost
-// anyway. After missed edges, or if nobody reads the characters in time, those that wait are dropped, and takeLoss()
-// tells: frames on both sides are not joined.
+// anyway. After missed edges, or if nobody reads the characters in time, those that wait are dropped, and the next
+// read() fails: so the reader knows of the loss, and does not join frames on both sides.
 class EdgeDecoder {
  public:
   static constexpr uint8_t Room = 64;      // characters
   static constexpr uint8_t Shortest = 12;  // ticks: no two edges of a character are nearer
+  static constexpr uint8_t None = 1;       // mask of an edge between two bits, or after the end
+
+  // Returns, for each tick, which data bits an edge at this time changes: the one that begins there, and all after it;
+  // from 4 us before each boundary on.
+  static const uint8_t *masks() {
+#define SBUS_FIVE(mask) mask, mask, mask, mask, mask
+#define SBUS_BOUNDARY(mask) None, None, SBUS_FIVE(mask), SBUS_FIVE(mask), SBUS_FIVE(mask), mask, mask, mask
+    static const uint8_t Masks[256] SBUS_FLASH = {
+        SBUS_FIVE(None), SBUS_FIVE(None), SBUS_BOUNDARY(0xFF), SBUS_BOUNDARY(0xFE), SBUS_BOUNDARY(0xFC),
+        SBUS_BOUNDARY(0xF8), SBUS_BOUNDARY(0xF0), SBUS_BOUNDARY(0xE0), SBUS_BOUNDARY(0xC0), SBUS_BOUNDARY(0x80),
+        SBUS_BOUNDARY(0), SBUS_BOUNDARY(0), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None),
+        SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), None};
+#undef SBUS_BOUNDARY
+#undef SBUS_FIVE
+    return Masks;
+  }
 
   // Forgets everything, and waits for an idle line: low, or if not `inverted` high.
   void begin(bool inverted) {
     _start = inverted ? edge::LongRise : edge::LongFall;
     _count = 0;
-    _isLost = false;
     fail();
   }
 
-  // Takes `count` edges, 1 or more. (Most need nothing but the first branch: 25 cycles on an AVR.)
-  void take(const uint8_t *edges, uint8_t count) {
-    uint8_t before = _before, time = _time, bits = _bits, level = _level;
-    do {
-      const uint8_t ticks = *edges++;
-      const uint8_t now = static_cast<uint8_t>(time + ticks);
-      const uint8_t mask = ticks >= Shortest && now >= ticks ? SBUS_IN_FLASH(masks() + now / 2) : None;
-      if (__builtin_expect(mask != None, true)) {
-        before = time;
-        time = now;
-        bits = static_cast<uint8_t>(bits ^ mask);
-        level = static_cast<uint8_t>(~level);
-      } else if (ticks >= Shortest && time != Closed && level != High && (now < ticks || now > End)) {
-        keep(bits, time > LastBit);  // the next start bit
-        time = 0;
-        bits = 0;
-        level = High;
-      } else {
-        _before = before;
-        _time = time;
-        _bits = bits;
-        _level = level;
-        step(ticks);
-        before = _before;
-        time = _time;
-        bits = _bits;
-        level = _level;
-      }
-    } while (--count != 0);
-    _before = before;
-    _time = time;
-    _bits = bits;
-    _level = level;
+  // Takes edges of a ring of 256 from `from` on: up to `to`, or the ring's end, or one that is no boundary of a bit.
+  // Returns the place of the next one. `from` is not `to`. Plain::take() takes what most of them are, as PlainEdges does.
+  template <typename Plain>
+  uint8_t take(const uint8_t *ring, uint8_t from, uint8_t to) {
+    const uint8_t end = from < to ? to : 0;
+    const uint8_t left = takeBits<Plain>(ring + from, static_cast<uint8_t>(end - from));
+    uint8_t next = static_cast<uint8_t>(end - left);
+    if (left != 0) {
+      step(ring[next++]);
+    }
+    return next;
   }
 
   // Returns true if a character has begun that idle() may complete.
-  bool isOpen() const { return _time != Closed || _carried != 0; }
+  __attribute__((always_inline)) bool isOpen() const { return _time != Closed || _carried != 0; }
 
   // No edge has come since the newest that was taken, `ticks` ago: completes a character whose last bits are like an
   // idle line.
@@ -86,36 +79,26 @@ class EdgeDecoder {
 
   // Drops what waits: edges were lost after it.
   void lose() {
-    _isLost = true;
-    _count = 0;
+    _count = Lost;
     fail();
   }
 
-  // Returns how many characters wait.
-  uint8_t available() const { return _count; }
-  // Returns the oldest; undefined if none waits.
+  // Returns how many characters wait. If some were lost before them, returns 1: the first read() then tells that.
+  uint8_t available() const { return (_count & Lost) != 0 ? 1 : _count; }
+  // Returns true if read() returns a character.
+  bool isReady() const { return static_cast<int8_t>(_count) > 0; }
+  // Returns the oldest character; undefined if !isReady().
   uint8_t peek() const { return _characters[_first]; }
-  // Returns and removes the oldest; undefined if none waits.
-  uint8_t read() {
+  // Returns and removes the oldest character. Returns -1 without one, and once if characters were lost before it.
+  int read() {
+    if (!isReady()) {
+      _count = static_cast<uint8_t>(_count & ~Lost);
+      return -1;
+    }
     const uint8_t character = peek();
-    _first = static_cast<uint8_t>((_first + 1) % Room);
+    _first = static_cast<uint8_t>(_first + 1) % Room;
     _count--;
     return character;
-  }
-  // Reads up to `size` characters. Returns how many.
-  int read(uint8_t *buffer, size_t size) {
-    uint8_t count = size < _count ? static_cast<uint8_t>(size) : _count;
-    const uint8_t all = count;
-    for (; count != 0; count--) {
-      *buffer++ = read();
-    }
-    return all;
-  }
-  // Returns true if characters were lost before those that wait, once for each loss.
-  bool takeLoss() {
-    const bool isLost = _isLost;
-    _isLost = false;
-    return isLost;
   }
 
  private:
@@ -124,20 +107,33 @@ class EdgeDecoder {
   static constexpr uint8_t LastBit = 9 * Bit + Bit / 2;  // a later edge is the first stop bit's
   static constexpr uint8_t Glitch = 6;                   // ticks: a shorter pulse cancels out
   static constexpr uint8_t Closed = 255;                 // time: no character has begun, or see _carried
-  static constexpr uint8_t None = 1;                     // mask of an edge between two bits, or after the end
   static constexpr uint8_t High = 0xFF;                  // level: like a start bit
+  static constexpr uint8_t Lost = 0x80;                  // in _count
+  static_assert(Lost % Room == 0 && (Room & (Room - 1)) == 0, "keep() counts on it");
 
-  // Returns, for every two ticks, which data bits an edge at this time changes: the one that begins there, and all
-  // after it; from 4 us before each boundary on.
-  static const uint8_t *masks() {
-#define SBUS_BOUNDARY(mask) None, mask, mask, mask, mask, mask, mask, mask, mask, mask
-    static const uint8_t Masks[128] SBUS_FLASH = {
-        None, None, None, None, None, SBUS_BOUNDARY(0xFF), SBUS_BOUNDARY(0xFE), SBUS_BOUNDARY(0xFC),
-        SBUS_BOUNDARY(0xF8), SBUS_BOUNDARY(0xF0), SBUS_BOUNDARY(0xE0), SBUS_BOUNDARY(0xC0), SBUS_BOUNDARY(0x80),
-        SBUS_BOUNDARY(0), SBUS_BOUNDARY(0), None, None, None, None, None, None, None, None, None, None, None, None,
-        None, None, None, None, None, None, None, None, None, None, None};
-#undef SBUS_BOUNDARY
-    return Masks;
+  // Takes edges that are boundaries of bits, up to the first that is more. Returns how many are left. (It calls nothing:
+  // then a compiler saves no registers.)
+  template <typename Plain>
+  __attribute__((noinline)) uint8_t takeBits(const uint8_t *edges, uint8_t count) {
+    uint8_t before = _before, time = _time, bits = _bits, level = _level;
+    while (count != 0) {
+      Plain::take(edges, count, before, time, bits, level);
+      if (count == 0 || *edges < Shortest || time == Closed || level == High ||
+          static_cast<uint8_t>(End - time) >= *edges) {
+        break;
+      }
+      keep(bits, time > LastBit);  // the next start bit
+      time = 0;
+      bits = 0;
+      level = High;
+      edges++;
+      count--;
+    }
+    _before = before;
+    _time = time;
+    _bits = bits;
+    _level = level;
+    return count;
   }
 
   // The time of the newest edge that counts.
@@ -184,7 +180,7 @@ class EdgeDecoder {
     _time = _before;
     _carried = 0;
     const uint8_t now = static_cast<uint8_t>(_before + since);
-    const uint8_t mask = SBUS_IN_FLASH(masks() + now / 2);
+    const uint8_t mask = SBUS_IN_FLASH(masks() + now);
     if (mask == None) {
       fail();
     } else {
@@ -209,7 +205,7 @@ class EdgeDecoder {
   // The edge before, and one that comes `ticks` later, cancel each other out.
   void cancel(uint8_t ticks) {
     if (_time != 0) {
-      flip(SBUS_IN_FLASH(masks() + _time / 2));
+      flip(SBUS_IN_FLASH(masks() + _time));
       _carried = static_cast<uint8_t>(_time - _before + ticks);
     }
     _time = Closed;
@@ -233,29 +229,51 @@ class EdgeDecoder {
   }
 
   // Keeps a character if its parity is right. If an edge came with the stop bit, the parity bit was 0.
-  __attribute__((noinline)) void keep(uint8_t bits, bool isZero) {
+  __attribute__((always_inline)) void keep(uint8_t bits, bool isZero) {
     uint8_t odd = static_cast<uint8_t>(bits ^ bits >> 4);
     odd = static_cast<uint8_t>(odd ^ odd >> 2);
     odd = static_cast<uint8_t>(odd ^ odd >> 1);
-    if ((odd & 1) != isZero) {
-      if (_count == Room) {
-        _isLost = true;
-        _count = 0;
+    if (isZero) {
+      odd = static_cast<uint8_t>(~odd);
+    }
+    if ((odd & 1) != 0) {
+      uint8_t count = _count;
+      if ((count & Room) != 0) {
+        count = Lost;
       }
-      _characters[static_cast<uint8_t>(_first + _count) % Room] = bits;
-      _count++;
+      _characters[static_cast<uint8_t>(_first + count) % Room] = bits;
+      _count = static_cast<uint8_t>(count + 1);
     }
   }
 
   uint8_t _start;             // the code of a start bit's edge after an idle line
   bool _isBroken;             // waits for an idle line
-  bool _isLost;               // for takeLoss()
   uint8_t _before = 0, _time;  // of the newest two edges that count, ticks from the character's start
   uint8_t _carried;           // ticks from the edge at _before to one that has cancelled the one at _time; mostly 0
   uint8_t _bits = 0;          // the data, from the edges so far
   uint8_t _level = 0;         // after the newest edge
-  uint8_t _first = 0, _count;
+  uint8_t _first = 0, _count;  // of those that wait; Lost: some were lost before them, as read() has not yet told
   uint8_t _characters[Room];
+};
+
+// Edges that are each a boundary of a data bit.
+struct PlainEdges {
+  // Takes up to `count` edges, 1 or more, until one is none or more; changes what EdgeDecoder knows.
+  static void take(const uint8_t *&edges, uint8_t &count, uint8_t &before, uint8_t &time, uint8_t &bits,
+                   uint8_t &level) {
+    for (; count != 0; count--) {
+      const unsigned now = unsigned{time} + *edges;
+      const uint8_t mask = now < 256 ? SBUS_IN_FLASH(EdgeDecoder::masks() + now) : EdgeDecoder::None;
+      if (*edges < EdgeDecoder::Shortest || mask == EdgeDecoder::None) {
+        return;
+      }
+      edges++;
+      before = time;
+      time = static_cast<uint8_t>(now);
+      bits = static_cast<uint8_t>(bits ^ mask);
+      level = static_cast<uint8_t>(~level);
+    }
+  }
 };
 
 }  // namespace sbus

@@ -12,18 +12,20 @@
 namespace sbus {
 
 #if defined(SBUS_PIN)
-// For an SBusPin. Null in a sketch without one.
-
-// Returns true if `port` is one, and has lost characters before those that wait, once for each loss.
-__attribute__((weak)) bool pinHasLost(Stream &port);
-// Reads up to `size` characters. Returns how many; -1 if `port` is none. (25 calls of its read() would take 1600
-// cycles.)
-__attribute__((weak)) int pinRead(Stream &port, uint8_t *buffer, size_t size);
+// Closes `port` if it is an SBusPin. Null in a sketch without one, which pays 20 bytes for it if it calls end().
+__attribute__((weak)) void closePin(Stream &port);
 #endif
 
 // A serial port of any class.
 class Port : private CoreKind::Pins {
  public:
+  // An SBusPin announces a byte that it does not hand over where it has lost some; a sensor cannot have one, as it sends.
+#if defined(SBUS_PIN)
+  static constexpr bool TellsLoss = true;
+#else
+  static constexpr bool TellsLoss = false;
+#endif
+
   // Remembers `port`.
   template <typename Class>
   explicit Port(Class &port) : Port(port, Pins()) {}
@@ -52,7 +54,7 @@ class Port : private CoreKind::Pins {
     _open = openSingleWire<Class>;
   }
 
-  // Closes a hardware serial port, once it has sent what it holds.
+  // Closes an SBusPin, or a hardware serial port once it has sent what it holds.
   void close() {
     if (_hardware != nullptr) {
       flush();
@@ -62,8 +64,8 @@ class Port : private CoreKind::Pins {
       _hardware->end();
     }
 #if defined(SBUS_PIN)
-    if (_hardware == nullptr) {
-      _open(opened(*this), 0, Inverted);  // closes an SBusPin
+    if (closePin != nullptr) {
+      closePin(_stream);
     }
 #endif
   }
@@ -89,15 +91,6 @@ class Port : private CoreKind::Pins {
 
   // Returns true if a full buffer loses the newest byte, false if the oldest.
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
-
-  // Returns true if an SBusPin has lost characters before those that wait, once for each loss.
-  bool hasLost() {
-#if defined(SBUS_PIN)
-    return pinHasLost != nullptr && pinHasLost(_stream);
-#else
-    return false;
-#endif
-  }
 
   // Returns true if bytes may have been lost before the `waiting` ones.
   bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + Late > 2u * _half; }
@@ -189,17 +182,11 @@ class Port : private CoreKind::Pins {
   // Not inlined: that would cost a poll of the STM32L0 24 cycles.
   template <typename Hardware>
   __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Rank<0>) {
-#if defined(SBUS_PIN)
-    const int all = pinRead != nullptr ? pinRead(_stream, buffer, size) : -1;
-    if (all >= 0) {
-      return all;
+    uint8_t *next = buffer;
+    for (int byte; size != 0 && (byte = _stream.read()) >= 0; size--) {
+      *next++ = static_cast<uint8_t>(byte);
     }
-#endif
-    size_t count = 0;
-    for (int byte; count < size && (byte = _stream.read()) >= 0; count++) {
-      buffer[count] = static_cast<uint8_t>(byte);
-    }
-    return static_cast<int>(count);
+    return static_cast<int>(next - buffer);
   }
 
   template <typename Class>

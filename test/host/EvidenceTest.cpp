@@ -66,6 +66,7 @@ Frames framesIn(const std::string &file) {
   for (const line::Character &each : characters) {
     observer.put(each);
   }
+  observer.idleUntil((characters.empty() ? 0 : characters.back().endUs) + line::TailUs);
   observer.finish();
   return frames;
 }
@@ -118,6 +119,31 @@ TEST_CASE("tables of small numbers, as programs have them, have no frame") {
   }
   MESSAGE(claimed, " of ", Files, " files have frames; seed ", seedOfDay() + 1);
   CHECK(claimed <= 4);
+}
+
+TEST_CASE("a table that repeats itself, or ends in what looks like a frame, has none: no radio sends such channels") {
+  line::Random random(seedOfDay() + 4);
+  unsigned repeated = 0, ended = 0;
+  constexpr unsigned Texts = 200;
+  for (unsigned i = 0; i < Texts; i++) {
+    std::string turn = "15 ", others;
+    for (uint64_t k = 1; k < sbus::FrameSize; k++) {
+      turn += written("%u ", k < sbus::FlagsIndex ? random.below(32) : 0);
+    }
+    for (uint64_t k = 0; k < 40; k++) {
+      others += written("%u ", random.below(2) == 0 ? 15 : random.below(200));
+    }
+    const std::string between = others.substr(0, others.find(' ', random.below(60)) + 1);
+    std::string text;
+    for (int turns = 0; turns < 20; turns++) {
+      text += turn + between;
+    }
+    repeated += !framesIn("temp " + text + '\n').empty();
+    ended += !framesIn("angles: " + others + "16\nangles: " + turn + '\n').empty();
+  }
+  MESSAGE(repeated, " and ", ended, " of ", Texts, " texts have frames; seed ", seedOfDay() + 4);
+  CHECK(repeated * 5 <= Texts);
+  CHECK(ended * 20 <= Texts);
 }
 
 TEST_CASE("a long file without a frame at its beginning is no line, and raw frames may have CR LF between them") {

@@ -1,6 +1,7 @@
 // Which frames count as a jump of a channel: a wrong value in a frame, and never a stick, however it is moved.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -118,15 +119,18 @@ TEST_CASE("stick flicks are no jumps: frames from 4 to 25 ms apart, radio packet
   CHECK(lines == 1290);
 }
 
-TEST_CASE("an Observer counts jumps, a condition waits for one, and a flight lists it") {
+TEST_CASE("an Observer counts jumps, but no failsafe and no lack of pulses; a condition waits for one, and a flight lists it") {
   line::Observer observer;
   line::ObservedFlight flight(line::CharacterUs);
   const line::Condition condition("jump", {});
   unsigned held = 0;
   for (unsigned i = 0; i < 40; i++) {
     uint16_t channels[sbus::ChannelCount] = {992, 992, 172, 992, 1000, 1000};
-    channels[3] = i == 10 || i == 20 ? 2047 : 992;
+    channels[3] = i == 10 || i == 20 || i == 30 ? 2047 : 992;
     channels[5] = i == 20 ? 0 : 1000;
+    if (i == 35) {
+      std::fill_n(channels, 4, uint16_t{0});
+    }
     uint8_t frame[sbus::FrameSize];
     sbus::pack(frame, channels, i == 30, false);
     for (unsigned at = 0; at < sbus::FrameSize; at++) {

@@ -2,27 +2,37 @@
 #include <doctest/doctest.h>
 
 #include <random>
+#include <string>
 
 #include "line/ReadAtBaud.h"
 #include "line/Source.h"
+#include "line/file/FileHead.h"
 #include "line/recording/CsvRows.h"
 #include "line/uart/SampledLine.h"
 
 namespace {
 
-// Reads `source` for 3 s at another rate, uninverted like a port behind an inverter.
-unsigned long readAt(const char *source, unsigned long baud) {
+// Returns what a port reads of `source` for 3 s at another rate, uninverted like a port behind an inverter.
+std::string bytesAt(const std::string &source, unsigned long baud) {
   const line::Source from = line::parseSource(source);
   line::LineSettings port = line::csvSettings();
   port.baud = baud;
   port.polarity = from.settings.polarity;
   line::SampledLine line(from.open(), from.settings, port);
-  line::ReadAtBaud found;
+  std::string bytes;
   line.opened(0);
   for (uint64_t us = 0; us < 3000000; us += 1000) {
     for (line::Character character; line.next(us, character);) {
-      found.put(character.value);
+      bytes += static_cast<char>(character.value);
     }
+  }
+  return bytes;
+}
+
+unsigned long readAt(const std::string &source, unsigned long baud) {
+  line::ReadAtBaud found;
+  for (const char c : bytesAt(source, baud)) {
+    found.put(static_cast<uint8_t>(c));
   }
   return found.baud();
 }
@@ -30,9 +40,20 @@ unsigned long readAt(const char *source, unsigned long baud) {
 }  // namespace
 
 TEST_CASE("S.Bus read at 115200 and 57600 baud is recognised; at other rates, and other lines, it is not") {
-  CHECK(readAt("sim", 115200) == 115200);
+  for (const std::string source : {"sim", "sim:24", "sim:noise=30"}) {
+    CAPTURE(source);
+    CHECK(readAt(source, 115200) == 115200);
+    CHECK(readAt(source, 57600) == 57600);
+    std::string file = bytesAt(source, 57600);
+    for (const size_t least : {size_t{0}, 2 * line::FileHeadMax}) {  // a file of such bytes is no error, so doctor names it
+      while (file.size() < least) {
+        file += file;
+      }
+      CHECK(line::readFileHead(file.substr(0, line::FileHeadMax), "file").kind == line::FileKind::Bytes);
+    }
+  }
+  CHECK(readAt("sim:sbus2", 115200) == 0);  // telemetry comes between
   CHECK(readAt("sim:32", 115200) == 0);  // header 2F comes between
-  CHECK(readAt("sim", 57600) == 57600);
   for (const unsigned long baud : {100000, 200000, 38400, 76800, 230400}) {
     CAPTURE(baud);
     CHECK(readAt("sim", baud) == 0);
@@ -42,23 +63,29 @@ TEST_CASE("S.Bus read at 115200 and 57600 baud is recognised; at other rates, an
   CHECK(readAt("sim:noise=1000", 100000) == 0);
 }
 
-TEST_CASE("eight frames in a row are needed, each of a frame's length") {
-  const auto baudOf = [](unsigned headers, unsigned between) {
+TEST_CASE("eight headers in a row are needed, each a frame's length from the next, and no text between them") {
+  const auto baudOf = [](uint8_t header, unsigned headers, unsigned size, uint8_t rest = 0xE0) {
     line::ReadAtBaud found;
     for (unsigned i = 0; i < headers; i++) {
-      found.put(0x1F);
-      for (unsigned at = 0; at < between; at++) {
-        found.put(0x00);
+      found.put(header);
+      for (unsigned at = 1; at < size; at++) {
+        found.put(rest);
       }
     }
     return found.baud();
   };
-  CHECK(baudOf(8, 25) == 0);
-  CHECK(baudOf(9, 25) == 115200);  // of the first it is not known how long ago the one before was
-  CHECK(baudOf(99, 18) == 0);
-  CHECK(baudOf(99, 19) == 115200);
-  CHECK(baudOf(99, 31) == 115200);
-  CHECK(baudOf(99, 32) == 0);
+  CHECK(baudOf(0x1F, 8, 26) == 0);  // of the first it is not known what came before
+  CHECK(baudOf(0x1F, 9, 26) == 115200);
+  CHECK(baudOf(0x1E, 99, 26) == 0);
+  CHECK(baudOf(0x1F, 99, 19) == 0);
+  CHECK(baudOf(0x1F, 99, 20) == 115200);
+  CHECK(baudOf(0x1F, 99, 45) == 115200);
+  CHECK(baudOf(0x1F, 99, 46) == 0);
+  CHECK(baudOf(0xA3, 99, 9) == 0);
+  CHECK(baudOf(0xA3, 99, 10) == 57600);
+  CHECK(baudOf(0x63, 99, 24) == 57600);
+  CHECK(baudOf(0x63, 99, 25) == 0);
+  CHECK(baudOf('c', 99, 16, ' ') == 0);  // text
 }
 
 TEST_CASE("random bytes are no line at another rate") {

@@ -1,7 +1,13 @@
 // Sketches that use one piece of the library each: USE says which. size.sh compares each with USE_NOTHING.
 #include <Arduino.h>
 
-#if defined(USE_PAPERS)
+#if defined(USE_PIN)
+#include <DecodeSBus.h>
+#include <SBusPin.h>
+#define USE_DECODER
+SBusPin pin;
+DecodeSBus receiver(pin);
+#elif defined(USE_PAPERS)
 #include "support/PaperDecoder.h"
 PaperDecoder receiver(Serial1);
 #elif defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)

@@ -65,6 +65,12 @@ for chip in avr arm; do
   program $chip "$out/$chip-NOTHING" "" -DUSE_NOTHING Uses.cpp
 done
 
+# Only an AVR has an SBusPin.
+pin() {
+  program avr "$out/avr-PIN" "" -DUSE_PIN Uses.cpp "$root/src/port/SBusPin.cpp"
+  echo "| \`DecodeSBus\` on an \`SBusPin\`: the same | $(($(flash "$out/avr-PIN") - $(flash "$out/avr-NOTHING"))) | $(($(ram "$out/avr-PIN") - $(ram "$out/avr-NOTHING"))) | | |"
+}
+
 piece() {  # USE WHAT [LIBRARIES]
   row="| $2"
   for chip in avr arm; do
@@ -88,6 +94,7 @@ echo "| bytes | ATmega2560: flash | RAM | Cortex-M0+: flash | RAM |"
 echo "| --- | --- | --- | --- | --- |"
 piece PAPERS "the baseline: begin, parse"
 piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk"
+pin
 piece ALL_OF_DECODER "\`DecodeSBus\`, all methods"
 piece ENCODER "\`EncodeSBus\`: begin, write"
 piece NORMALIZED "\`sbus::toNormalized()\` alone, with the compiler's division" -lgcc

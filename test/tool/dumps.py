@@ -41,6 +41,9 @@ WAYS = {
     "small letters": lines(LOWER),
     "all in one line": UPPER(ALL) + "\n",
     "without a line end": UPPER(ALL),
+    "flags after the bytes": lines(lambda data, i: UPPER(data) + "  (lost=0 fs=0)"),
+    "a checksum after the bytes": lines(lambda data, i: UPPER(data) + " CRC=%04X" % sum(data)),
+    "a table of Markdown": "| n | bytes |\n|---|---|\n" + lines(lambda data, i: "| %d | `%s` |" % (i, UPPER(data))),
     "without blanks": lines(numbers("%02X", "")),
     "all without blanks": numbers("%02x", "")(ALL) + "\n",
     "16 a line": rows(ALL, 16, lambda at, row: UPPER(row)),
@@ -169,8 +172,8 @@ OTHERS = {
 }
 
 # What tools print, by the tools. {} is the file.
-TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -u {}", "xxd -e {}", "xxd -e -g 2 {}", "xxd -p {}", "xxd -ps -c 25 {}", "xxd -i {}",
-         "hexdump -v -C {}", "hexdump -v {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
+TOOLS = ["xxd {}", "xxd -c 25 {}", "xxd -c 7 {}", "xxd -g 1 {}", "xxd -g 4 {}", "xxd -u {}", "xxd -e {}", "xxd -e -g 2 {}", "xxd -e -g 8 -c 24 {}", "xxd -p {}", "xxd -ps -c 25 {}", "xxd -i {}",
+         "hexdump -v -C {}", "hexdump -v {}", "hexdump -v -x {}", "hexdump -v -e '25/1 \"%02X \" \"\\n\"' {}",
          "od -v -x {}", "od -v -t x1 {}", "od -v -A x -t x1 {}", "od -v -A d -t x1 {}", "od -A n -v -t x1 {}", "od -An -v -tx1 -w25 {}"]
 
 
@@ -193,8 +196,7 @@ def main():
         with open(f"{WORK}/a.bin", "wb") as file:
             file.write(data)
         for tool in TOOLS:
-            # To whole words; xxd -e sets the rest of a word apart, as if it were text, and that frame is incomplete.
-            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "od -v -x {}") or "xxd -e" in tool and len(data) % 4 != 0
+            isPadded = name == "frame.bin" and tool in ("hexdump -v {}", "hexdump -v -x {}", "od -v -x {}")  # to whole words
             if shutil.which(tool.split()[0]) and not isPadded:
                 ways[f"{tool.format('FILE')} of {name}"] = subprocess.run(tool.format("a.bin"), shell=True, cwd=WORK, capture_output=True, text=True, encoding="latin-1").stdout
     good = 0

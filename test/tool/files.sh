@@ -152,6 +152,8 @@ for tool in od 'od -b' 'od -c' 'od -t u1' 'hexdump -b' 'xxd -b'; do
   # shellcheck disable=SC2086  # the tool's arguments are words
   ! command -v "${tool%% *}" >"$work/out" || $tool "$work/bytes.bin" | rejected "$(echo "$tool" | tr ' ' _).txt" "$dump"
 done
+printf '00001111 11100000\n' | rejected bits.txt "$dump"
+printf '0b00001111, 0b11100000\n' | rejected marked-bits.txt "$dump"
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
 printf '\376\377\0000\000F' | rejected utf16.txt ': is text in UTF-16 with the mark FE FF: save it as UTF-8'
 printf '0Fh E3h\n' | rejected suffix.txt ':1: "0Fh" is not a time: a whole number of microseconds is expected, or a # comment; without times, bytes such as 0F E3'

@@ -33,7 +33,7 @@ run hex sim --seconds 0.2  # in real time
 "$SBUS" record sim:noise=20 -o "$work/port.txt" --simulated-time --seconds 0.5 2>"$work/err"
 sed -E '/^#/!s/^[0-9]+/&~18000/' "$work/port.txt" >"$work/late.txt"
 run hex "$work/late.txt"
-python3 - "$work/all" ../extras/cli/sbus.1 "$SBUS" <<'END'
+python3 - "$work/all" ../extras/cli/sbus.1.in "$SBUS" <<'END'
 import json, os, re, subprocess, sys
 manual = open(sys.argv[2]).read().replace("\\-", "-")
 section = manual[manual.index(".SH JSON LINES"):].split("\n.SH ")[0]

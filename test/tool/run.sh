@@ -176,6 +176,21 @@ for source in sim sim:24 sim:32; do
   "$sbus" hex "$work/values.txt" --values 2>"$work/err" | cut -c 13- | cmp - "$work/wanted" && [ "$(grep -c 'end 00' "$work/wanted")" -gt 99 ]
   verdict $? "what hex --values prints of $source is read again"
 done
+for source in sim sim:24 sim:32 sim:noise=60 sim:sbus2; do
+  "$sbus" wave $source --simulated-time --seconds 10 -o "$work/printed.vcd" 2>"$work/err"
+  "$sbus" hex "$work/printed.vcd" --json | grep -v '"line"\|"slot"' >"$work/wanted"
+  for option in '' --characters; do
+    # shellcheck disable=SC2086  # a word, or none
+    "$sbus" decode "$work/printed.vcd" $option >"$work/printed.txt" 2>"$work/err"
+    "$sbus" hex "$work/printed.txt" --json 2>"$work/err" | grep -v '"line"\|"slot"' | cmp - "$work/wanted"
+    verdict $? "what decode ${option:-in a table} prints of $source is read again: $(grep -c '"frame"' "$work/wanted") frames"
+  done
+done
+"$sbus" hex "$work/paper.vcd" >"$work/wanted" && { echo '$ sbus decode paper.vcd'; "$sbus" decode "$work/paper.vcd"; } >"$work/printed.txt" &&
+  "$sbus" hex "$work/printed.txt" | cmp - "$work/wanted" && sed 1,3d "$work/printed.txt" >"$work/rows.txt" && "$sbus" hex "$work/rows.txt" | cmp - "$work/wanted"
+verdict $? "with a terminal's prompt before it, or from the heading on, it is read, too"
+sed 's/time ms/time s/' "$work/printed.txt" >"$work/wrong.txt"
+rejected "sbus hex: $work/wrong.txt:4: times in ms are expected, as sbus decode prints them" hex "$work/wrong.txt"
 rejected "$work/paper.vcd:24: \"24\" is not allowed after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf 'time,CH17,CH18\n0.2,0,1\n0.4,1,0\n' >"$work/times.csv"
 "$sbus" monitor "$work/times.csv" --simulated-time | grep -q '^ *0\.[45][0-9]*  .*1 *0'
@@ -313,21 +328,21 @@ done
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
 verdict $? "--help-all lists subcommands and options"
-# An option is listed under its subcommand, or under SOURCE if the subcommand takes one.
-sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
-  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || / A B$/); print "has", section }
-  /^\.(BR?|OP) -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
-  common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
+"$sbus" __manual <../extras/cli/sbus.1.in >"$work/sbus.1" && sed 's/\\-/-/g; s/\\f[BR]//g' "$work/sbus.1" | awk '
+  /^\.S[HS] / { section = $2 == "sbus" ? $3 : "SOURCE"; print section }
+  title { for (i = 1; i <= NF; i++) if ($i ~ /^--/) print section, $i }
+  { title = /^\.TP/ }' >"$work/manual"
 while read -r subcommand option; do
-  case $subcommand in -*) line=".SH OPTIONS $subcommand" ;; *) line="${option:+$subcommand }${option:-has $subcommand}" ;; esac
-  grep -qxFe "$line" "$work/manual" ||
-    { grep -qxF "$subcommand SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
+  case $subcommand in -*) line="SOURCE $subcommand" ;; *) line="$subcommand${option:+ $option}" ;; esac
+  grep -qxFe "$line" "$work/manual" || grep -qxF "SOURCE $option" "$work/manual"
   verdict $? "sbus.1 has $subcommand $option"
 done <"$work/words"
+[ "$(grep -c -e -- "$work/manual")" -gt 40 ] && ! grep -qE "^\.(SUBCOMMAND|OPTION) " "$work/sbus.1" && ! sort "$work/manual" | uniq -d | grep -q -- --
+verdict $? "sbus.1 describes an option once"
 for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
-  grep -qx "has .SH $section" "$work/manual"
+  grep -qx ".SH $section" "$work/sbus.1"
   verdict $? "sbus.1 has $section"
 done
-grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' ../extras/cli/sbus.1
+grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' "$work/sbus.1"
 verdict $? "sbus.1 has a date"
 WORDS=$work/words tool/completion.sh

@@ -189,7 +189,7 @@ frames 9000 18000 18500 30000 | "$SBUS" hex - 2>"$work/err" | cut -c1-12 | tr -d
 [ "$(cat "$work/out")" = "0.009000 0.018000 0.021000 0.030000 " ] && [ "$(cat "$work/err")" = "-:3: its time, 18500 us, overlaps what comes before it: moved by 2500 us, and others may be" ] || { cat "$work/out" "$work/err"; false; }
 verdict $? "a frame that overlaps the one before it is moved, and a message says so"
 frames 20000000 9000 | "$SBUS" hex - >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && grep -qxF 'sbus hex: -:2: time_us 9000 is not after 20000000, the previous time' "$work/err"
+[ $? -eq 1 ] && grep -qxF 'sbus hex: -:2: its time, 9000 us, is not after the previous one, 20000000 us' "$work/err"
 verdict $? "a time of another line is an error"
 
 # ---- When it was

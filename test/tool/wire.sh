@@ -67,7 +67,7 @@ verdict $? "decode of an empty part says what there is: $(cat "$work/err")"
 "$SBUS" record sim:32 --simulated-time --seconds 0.3 -o "$work/32.txt" 2>/dev/null && "$SBUS" wave "$work/32.txt" -o "$work/32.vcd" &&
   "$SBUS" hex "$work/32.vcd" --json | sed -n 's/.*"channels":\[\([0-9,]*\)\].*/\1/p' | tr , ' ' >"$work/32.want" &&
   decoded "$work/32.vcd" | awk '{ row = $2; for (i = 3; i <= 17; i++) row = row " " $i; print row }' | cmp - "$work/32.want" &&
-  [ "$("$SBUS" decode "$work/32.vcd" | grep -c ' CH17 .* CH32  end$')" -ge 10 ]
+  [ "$("$SBUS" decode "$work/32.vcd" | grep -c ' CH17 .* CH32   DG1  DG2  end$')" -ge 10 ]
 verdict $? "decode prints 32 channels: $(wc -l <"$work/32.want") frames"
 
 # The last frame waits for the silence after it: the capture ends with an edge.
@@ -208,6 +208,8 @@ if [ -n "$have_sigrok" ]; then
     sigrok-cli -i "$work/sigrok.sr" -O $form | decoded - | cmp - "$golden"
     verdict $? "decode reads the output of sigrok-cli -O $form"
   done
+  sigrok-cli -I vcd -i "$work/sbus2.vcd" -O csv >"$work/meta.csv" && grep -q '^META samplerate' "$work/meta.csv" && decoded "$work/meta.csv" | cmp - "$golden"
+  verdict $? "decode reads sigrok-cli's CSV with the line META samplerate in it"
 fi
 
 # The tables of Saleae's analyser say nothing about the wire.

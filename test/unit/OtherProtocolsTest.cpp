@@ -142,6 +142,34 @@ Finding foundIn(const Bytes &bytes) {
 
 }  // namespace
 
+TEST_CASE("DBUS has sticks between their ends, switches that stand somewhere, and buttons that are pressed or not") {
+  const struct {
+    const char *what;
+    size_t at;
+    uint8_t mask, bits;
+    Finding finding;
+  } rows[] = {
+      {"as it is", 5, 0x00, 0x00, Finding::Dbus},
+      {"no first switch", 5, 0x30, 0x00, Finding::NoSignal},
+      {"no second switch", 5, 0xC0, 0x00, Finding::NoSignal},
+      {"a button of 2", 12, 0xFF, 0x02, Finding::NoSignal},
+      {"another of 2", 13, 0xFF, 0x02, Finding::NoSignal},
+      {"a stick at 0", 0, 0xFF, 0x00, Finding::NoSignal},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    std::mt19937 random(Seed);
+    Bytes bytes;
+    for (unsigned i = 0; i < 100; i++) {
+      Bytes packet = dbus({random() % 2048, random() % 2048, random() % 2048, random() % 2048}, i);
+      packet[1] = row.at == 0 ? static_cast<uint8_t>(packet[1] & 0xF8) : packet[1];
+      packet[row.at] = static_cast<uint8_t>((packet[row.at] & ~row.mask) | row.bits);
+      bytes.insert(bytes.end(), packet.begin(), packet.end());
+    }
+    CHECK(foundIn(bytes) == row.finding);
+  }
+}
+
 TEST_CASE("400 packets of each protocol are named, wherever they are joined; they hold no frame of S.Bus") {
   std::mt19937 random(Seed);
   CAPTURE(Seed);

@@ -102,8 +102,9 @@ class DecodeTable {
   static double ms(int64_t ns) { return static_cast<double>(ns) / 1e6; }
   int64_t endNs(const line::WireCharacter &character) const { return character.startNs + _characterNs; }
 
-  void frame(const line::Stretch &stretch, int64_t endNs, const line::Values &values) {
+  void frame(const line::Stretch &stretch, int64_t endNs, const line::Values &newest) {
     const bool extra = stretch.kind == line::Stretch::Kind::Extra;
+    const line::Values values = extra ? line::withFlags(newest, stretch.characters[sbus::FlagsIndex].value) : newest;
     const size_t from = extra ? 16 : 0;  // an extra frame has the channels after these
     const size_t to = stretch.kind == line::Stretch::Kind::Frame24 ? 24 : from + 16;
     std::string head = "\n     time ms";
@@ -112,13 +113,13 @@ class DecodeTable {
       head += line::format(" %5s", ("CH" + std::to_string(i + 1)).c_str());
       row += line::format(" %5u", values.raw[i]);
     }
-    if (to == 16) {
-      head += "  CH17 CH18";
+    if (to != 24) {
+      head += extra ? "   DG1  DG2" : "  CH17 CH18";
       row += line::format("  %4d %4d", values.switches[0], values.switches[1]);
     }
     row += line::format("   %02X", stretch.characters.back().value);
-    row += !extra && values.lostFrame ? "  lost frame" : "";
-    row += !extra && values.failsafe ? "  failsafe" : "";
+    row += values.lostFrame ? "  lost frame" : "";
+    row += values.failsafe ? "  failsafe" : "";
     write((_columns != to ? head + "  end\n" : "") + row + '\n');
     _columns = to;
   }
@@ -307,9 +308,7 @@ void addDecode(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   subcommand
       .option("CAPTURE", options->capture,
-              "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
-              "table of Saleae's Async Serial; "
-              "each also packed (.gz, .xz, .zip); - is standard input")
+              "a capture by a logic analyser or an oscilloscope, as CSV, VCD or PulseView's .sr; - is standard input")
       .required()
       .notEmpty()
       .type("");

@@ -67,11 +67,10 @@ bool isRow(const Fields &fields) {
   return std::all_of(fields.begin(), fields.end(), isValue) && std::any_of(fields.begin(), fields.end(), isNumber);
 }
 
-// A single # is a column's title.
+// A single # is a column's title. META is a line of sigrok-cli.
 bool isComment(std::string_view line) {
   const bool isAlone = line.size() > 1 && Separators.find(line[1]) != std::string_view::npos;
-  const bool isHantek = line.substr(0, 2) == ",#";
-  return isHantek || (!line.empty() && (line.front() == ';' || (line.front() == '#' && !isAlone)));
+  return line.substr(0, 2) == ",#" || line.substr(0, 5) == "META " || (!line.empty() && (line.front() == ';' || (line.front() == '#' && !isAlone)));
 }
 
 // Returns true for a unit, as oscilloscopes write it below a channel's name.

@@ -3,234 +3,22 @@
 #include <algorithm>
 #include <iterator>
 
-#include "line/recording/Words.h"
 #include "sbus/Frame.h"
 
 namespace line {
 
-// A number of a line, and what stands before it.
-struct TextNumber {
-  std::string_view text;
-  char sign;        // between it and the number before it: see signOf()
-  bool isNegative;  // of signed decimal bytes
-  bool isFirst;     // a bracket opens before it
-};
-
 namespace {
 
-using Numbers = std::vector<TextNumber>;
-
 constexpr size_t HeadLines = 200;  // to examine
-constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
-constexpr size_t BeforeFrame = 4;  // places of a line at which its frame may begin
 constexpr size_t HeadNumbers = 9;  // before a line's bytes: those of a date and a time, a count
 constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
 
-bool isHexDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
-
-bool isLetterOrDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool isOneOf(char c, std::string_view set) {
-  return set.find(c) != set.npos;
-}
-
-bool takeEnd(std::string_view &word, char end) {
-  const bool has = word.size() > 1 && word.back() == end;
-  word.remove_suffix(has ? 1 : 0);
-  return has;
-}
-
-bool takeMark(std::string_view &word) {
-  const bool has = word.size() > 2 && word[0] == '0' && (word[1] == 'x' || word[1] == 'X');
-  word.remove_prefix(has ? 2 : 0);
-  return has;
-}
-
-// Returns true for eight digits of 0 and 1: bits, if all numbers are like this.
-bool isBits(std::string_view word) {
-  return word.size() == 8 && word.find_first_not_of("01") == word.npos;
-}
-
-// Returns true if bytes may be written like this. 0x and up to 16 digits is an address.
-bool isNumber(std::string_view word) {
-  takeEnd(word, '!');
-  const bool isMarked = takeMark(word);
-  const size_t size = word.size();
-  const bool isOdd = size % 2 != 0 && size > 1 && !(size == 3 && std::all_of(word.begin(), word.end(), isDigit));
-  return size > 0 && std::all_of(word.begin(), word.end(), isHexDigit) && !isOdd &&
-         !(isMarked && size > 2 && size <= 16);
-}
-
-// Calls take(word, what precedes it) for each word of letters and digits. ! ends a word.
-template <typename Take>
-void forEachWord(std::string_view text, const Take &take) {
-  for (size_t at = 0, before = 0; at < text.size();) {
-    const size_t begin = at;
-    while (at < text.size() && isLetterOrDigit(text[at])) {
-      at++;
-    }
-    at += at > begin && at < text.size() && text[at] == '!';
-    if (at > begin) {
-      take(text.substr(begin, at - begin), text.substr(before, begin - before));
-      before = at;
-    } else {
-      at++;
-    }
-  }
-}
-
-bool hasNumber(std::string_view text) {
-  bool has = false;
-  forEachWord(text, [&has](std::string_view word, std::string_view) { has = has || isNumber(word); });
-  return has;
-}
-
-// Reads a number with one digit, or bytes of two digits. Returns false for other words.
-bool takeHex(std::string_view word, TextBytes &bytes) {
-  const bool isBad = takeEnd(word, '!');
-  takeMark(word);
-  for (size_t at = 0; at < word.size(); at += 2) {
-    uint8_t value;
-    const std::string_view digits = word.substr(at, 2);
-    if (!parseWhole(digits, value, 16) || (digits.size() == 1 && word.size() > 1)) {
-      return false;
-    }
-    bytes.push_back({value, isBad && at + 2 >= word.size()});
-  }
-  return !word.empty();
-}
-
-// Returns the sign between two numbers of a list; 0 if they are not of one.
-char signOf(std::string_view between) {
-  std::string signs;
-  for (const char c : between) {
-    signs += isBlank(c) || c == '\'' || c == '"' ? "" : std::string(1, c);
-  }
-  const bool isAlone = signs.size() == between.size();
-  return signs.empty()                                                                 ? ' '
-         : signs.size() == 1 && isOneOf(signs[0], isAlone ? ",;|:-._" : ",;|")         ? signs[0]
-         : signs.size() == 2 && isOneOf(signs[0], "]})>") && isOneOf(signs[1], "[{(<") ? '['
-                                                                                       : '\0';
-}
-
-// Takes the character after a backslash, as Python and C write it. Returns false for others.
-bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
-  constexpr std::string_view Letters = "abfnrtv\\'\"";
-  constexpr std::string_view Values = "\a\b\f\n\r\t\v\\'\"";
-  const char letter = at < text.size() ? text[at] : '\0';
-  if (letter == 'x') {
-    at += 3;
-    return at <= text.size() && parseWhole(text.substr(at - 2, 2), value, 16);
-  }
-  const size_t known = Letters.find(letter);
-  value = known == Letters.npos ? uint8_t{0} : static_cast<uint8_t>(Values[known]);
-  at++;
-  return known != Letters.npos;
-}
-
-// Reads the strings in a line; without quotation marks, from the first backslash to the end.
-std::string readStrings(std::string_view text, TextBytes &bytes) {
-  const size_t escape = text.find('\\');
-  const size_t mark = text.find_first_of("'\"");
-  const bool isBare = mark > escape || mark == text.npos;
-  for (size_t at = isBare ? escape : mark; at < text.size();) {
-    const char quote = isBare ? '\0' : text[at++];
-    while (at < text.size() && (isBare || text[at] != quote)) {
-      const size_t from = at;
-      TextByte byte{static_cast<uint8_t>(text[at++]), false};
-      if (text[from] == '\\' && !takeEscape(text, at, byte.value)) {
-        return quoted(text.substr(from, 4)) + " is not an escape of Python or C, such as \\x0f";
-      }
-      bytes.push_back(byte);
-    }
-    if (!isBare && at == text.size()) {
-      return "a string has no end: is the line cut?";
-    }
-    at = isBare ? at : text.find_first_of("'\"", at + 1);
-  }
-  return {};
-}
-
 // Returns true if the bytes of a dump's line end here, and text may follow.
 bool isTextAt(std::string_view line, size_t at) {
   return at > 0 && at <= line.size() && (line.substr(at, 2) == "  " || withoutBlanks(line.substr(at)).empty());
-}
-
-// Returns the part of a line that may hold bytes: without the text of a dump, a comment, and what is assigned to.
-std::string_view contentOf(std::string_view text, bool &isAssigned) {
-  text = !text.empty() && text.back() == '|' ? text.substr(0, text.find(" |")) : text;
-  for (const char *const mark : {"//", "/*", "#"}) {
-    text = text.substr(0, text.find(mark));
-  }
-  size_t equals = text.rfind('=');
-  if (equals != text.npos && text.substr(equals).find_first_not_of("= \t{[(") == 1 && !hasNumber(text.substr(equals))) {
-    equals = text.substr(0, equals).rfind('=');  // before dtype=uint8)
-  }
-  isAssigned = equals != text.npos;
-  return text.substr(equals + 1);
-}
-
-Numbers allNumbers(std::string_view text, bool &areAtEnd) {
-  Numbers all;
-  bool isAfterNumber = false;
-  forEachWord(text, [&](std::string_view word, std::string_view before) {
-    const bool isNegative = before.size() > 1 && before.back() == '-' && isOneOf(before[before.size() - 2], " ,[{(");
-    before.remove_suffix(isNegative ? 1 : 0);
-    const size_t sign = before.find_last_not_of(" '\"");
-    const bool isPython = word == "b" && word.data() + 1 < text.data() + text.size() && isOneOf(word.data()[1], "'\"");
-    const bool is = isNumber(word) && !isPython;
-    if (is) {
-      all.push_back({word, isAfterNumber ? signOf(before) : '\0', isNegative,
-                     sign != before.npos && isOneOf(before[sign], "[{(<")});
-    }
-    isAfterNumber = is;
-  });
-  areAtEnd = isAfterNumber;
-  return all;
-}
-
-// Numbers with the same sign between them.
-struct Runs {
-  Numbers bytes;  // of all runs that are not too short
-  Numbers last;   // the last run
-  size_t count = 0;
-};
-
-Runs runsOf(const Numbers &all) {
-  Runs runs;
-  for (size_t begin = 0, end = 0, taken = 0; begin < all.size();
-       begin = end < all.size() && all[end].sign != '\0' ? end - 1 : end) {
-    for (end = begin + 1; end < all.size() && all[end].sign != '\0' && all[end].sign == all[begin + 1].sign; end++) {
-    }
-    // The end of 18:12:30,345 is no byte; after bytes, as a field of its own, or with two digits, it is one.
-    std::string_view digits = all[begin].text;
-    const bool isByte = takeMark(digits) || digits.size() == 2;
-    const bool isField = isOneOf(all[begin].sign, ",;|") && (begin < 2 || all[begin - 1].sign != ':' || isByte);
-    const bool isOthers = isOneOf(all[begin].sign, ",;|:-._") && !isField && !(taken > 0 && taken == begin);
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::max(begin + isOthers, taken));
-    runs.last.assign(first, all.begin() + static_cast<std::ptrdiff_t>(end));
-    const bool isLong = std::any_of(runs.last.begin(), runs.last.end(),
-                                    [](const TextNumber &each) { return each.text.size() >= 4 * RunLeast; });
-    if (runs.last.size() >= RunLeast || isLong) {
-      runs.bytes.insert(runs.bytes.end(), runs.last.begin(), runs.last.end());
-      taken = end;
-    }
-    runs.count++;
-  }
-  return runs;
-}
-
-// Returns true if the last numbers are those of a date or a time.
-bool endsWithTime(const Numbers &all, const Numbers &last) {
-  const size_t size = all.size();
-  return size > last.size() && size > 2 && isOneOf(all[size - 1].sign, ":.-") && isOneOf(all[size - 2].sign, ":.-");
 }
 
 // Returns true if hardly a line has more than one byte, and its number before it: [3] = 0x1F, 3: 1F, 3 1F.
@@ -260,18 +48,6 @@ bool beginsWithFrame(const TextBytes &bytes) {
 
 }  // namespace
 
-std::string parseHex(std::string_view text, TextBytes &bytes) {
-  std::string wrong;
-  forEachWord(text, [&](std::string_view word, std::string_view) {
-    const size_t before = bytes.size();
-    if (wrong.empty() && !takeHex(word, bytes)) {
-      takeMark(word);
-      wrong = word.substr(std::min(word.size(), 2 * (bytes.size() - before)), 2);
-    }
-  });
-  return wrong;
-}
-
 ByteText::ByteText(std::string_view head, bool isWhole) {
   findOffsets(head);
   if (!hasOffsets() && withoutBlanks(head).substr(0, 8) == "0000000 ") {
@@ -295,30 +71,19 @@ ByteText::ByteText(std::string_view head, bool isWhole) {
     _lines += !bytes.empty();
     isSure = isSure || bytes.size() >= RunLeast ||
              std::any_of(bytes.begin(), bytes.end(), [](TextByte byte) { return byte.value == sbus::HeaderByte; });
-    for (size_t from = 0; from < std::min(bytes.size(), BeforeFrame); from++) {
-      const bool isFrame = beginsWithFrame({bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end()});
-      _frameLines += isFrame;
-      from = isFrame ? bytes.size() : from;
-    }
   }
   _lines = isSure ? _lines : 0;  // a number at the end of lines is a byte if others are
 }
 
-// Takes the offset off a line of a dump, 00000010, 0010: or 0010h:, and off its end the text beside the bytes.
+// Takes the offset off a line of a dump: 00000010, 0010: or 0010h:.
 bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
   const size_t digits = std::min(text.size(), text.find_first_of("h: \t"));
   const size_t colon = text.substr(digits, 1) == "h" ? digits + 1 : digits;
   const bool hasColon = text.substr(std::min(text.size(), colon), 1) == ":";
   const std::string_view behind = text.substr(std::min(text.size(), hasColon ? colon + 1 : digits));
-  if (digits < 4 || !parseWhole(text.substr(0, digits), offset, _offsetBase) ||
-      !(behind.empty() || isBlank(behind[0]))) {
-    return false;
-  }
-  text = text.substr(0, isTextAt(text, _width) ? _width : text.npos);
-  text.remove_prefix(std::min(text.size(), static_cast<size_t>(behind.data() - text.data())));
-  text = withoutBlanks(text);
-  text = text.substr(0, std::min({text.find(hasColon ? "  " : "   "), text.find(" |"), text.find(" ;")}));
-  return true;
+  const bool is = digits >= 4 && parseWhole(text.substr(0, digits), offset, _offsetBase) && (behind.empty() || isBlank(behind[0]));
+  text = is ? withoutBlanks(behind) : text;
+  return is;
 }
 
 // Offsets grow from line to line by the number of bytes between them; behind these there may be text.
@@ -326,8 +91,8 @@ void ByteText::findOffsets(std::string_view head) {
   for (const int base : {16, 8, 10}) {
     _offsetBase = base;
     _width = 0;
-    std::string_view lines = head, before;   // `before`: the bytes of the line before
-    size_t begin = 0, tried = 0, found = 0;  // `begin`: their column
+    std::string_view lines = head, before;  // `before`: the bytes of the line before, and the text
+    size_t tried = 0, found = 0;
     uint64_t offset = 0, last = 0;
     for (size_t i = 0; i < HeadLines && !lines.empty(); i++) {
       const std::string_view line = withoutBlanks(takeLine(lines));
@@ -346,10 +111,9 @@ void ByteText::findOffsets(std::string_view head) {
         const bool isMatch = size > 0 && last + size == offset && isTextAt(before, end);
         tried++;
         found += isMatch;
-        _width = isMatch ? std::max(_width, begin + end) : _width;
+        _width = isMatch ? std::max(_width, end) : _width;
       }
       before = isOne ? text : std::string_view();
-      begin = isOne ? static_cast<size_t>(text.data() - line.data()) : 0;
       last = offset;
       _areSwapped = isOne ? line.substr(0, line.find(' ')).find(':') == line.npos : _areSwapped;
     }
@@ -377,6 +141,7 @@ void ByteText::findStyle(std::string_view head) {
       takeEnd(number.text, '!');
       hasBytes = hasBytes || !isBits(number.text);
       takeMark(number.text);
+      _hasWords = _hasWords || (hasOffsets() && number.text.size() >= 4);
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
       _isList = _isList || number.isFirst;
     }
@@ -388,11 +153,14 @@ void ByteText::findStyle(std::string_view head) {
 
 // Returns the numbers of a line that are its bytes: those in runs with the same sign between them. On a line with fewer
 // bytes they are the last numbers. What precedes them is a log's: a date, a time, an address, a label.
-std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
+Numbers ByteText::numbersOf(std::string_view line) const {
   std::string_view text = withoutBlanks(line);
   uint64_t offset;
   if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
     return {};
+  }
+  if (hasOffsets()) {  // without the text beside the bytes; the last word may stand apart
+    text = text.substr(0, isTextAt(text, _width) ? _width : std::min({text.size() > _width ? text.find("  ") : text.npos, text.find(" |"), text.find(" ;")}));
   }
   bool isAssigned, areAtEnd;
   const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
@@ -421,7 +189,7 @@ std::vector<TextNumber> ByteText::numbersOf(std::string_view line) const {
   return areBytes ? runs.last : Numbers();
 }
 
-bool ByteText::isFrame(const std::vector<TextNumber> &numbers) const {
+bool ByteText::isFrame(const Numbers &numbers) const {
   TextBytes bytes;
   for (const TextNumber &number : numbers) {
     read(number, bytes);

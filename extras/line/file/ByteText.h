@@ -7,17 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "line/file/TextNumbers.h"
+
 namespace line {
-
-struct TextByte {
-  uint8_t value;
-  bool bad;  // marked by !, as in the output of `sbus hex`
-};
-using TextBytes = std::vector<TextByte>;
-struct TextNumber;
-
-// Reads bytes in hexadecimal: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3. Returns the first word that is none, or nothing.
-std::string parseHex(std::string_view text, TextBytes &bytes);
 
 class ByteText {
  public:
@@ -28,8 +20,8 @@ class ByteText {
   // Rejects lines with words, if the first one with bytes has numbers only.
   void setStrict() { _isStrict = true; }
 
-  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then
-  // isList(), hasOffsets() and hasFrames() decide.
+  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then isList(),
+  // hasOffsets() and BytesReader decide.
   bool isBytes() const { return _lines > 0; }
 
   // Returns true if lines begin with offsets, as a dump's do.
@@ -38,8 +30,8 @@ class ByteText {
   // Returns true if only bytes are written like this: within brackets, with 0x, or as a string.
   bool isList() const { return _isList; }
 
-  // Returns true if a line begins with a frame.
-  bool hasFrames() const { return _frameLines > 0; }
+  // Returns true for a dump of words of two bytes or more.
+  bool hasWords() const { return _hasWords; }
 
   // Takes a dump's words for bytes in the other order: xxd -e prints them as a PC reads them.
   void swapWords() { _areSwapped = !_areSwapped; }
@@ -54,13 +46,14 @@ class ByteText {
   void findOffsets(std::string_view head);
   void findStyle(std::string_view head);
   bool takeOffset(std::string_view &text, uint64_t &offset) const;
-  std::vector<TextNumber> numbersOf(std::string_view line) const;
-  bool isFrame(const std::vector<TextNumber> &numbers) const;
+  Numbers numbersOf(std::string_view line) const;
+  bool isFrame(const Numbers &numbers) const;
   std::string read(const TextNumber &number, TextBytes &bytes) const;
 
   int _offsetBase = 0;       // 0: there are no offsets
   size_t _width = 0;         // of a dump's line up to the text beside the bytes
   bool _areSwapped = false;  // a word's lowest byte comes first in the file, and last in the text
+  bool _hasWords = false;
   bool _areBits = false;     // eight digits of 0 and 1 each: not read
   bool _hasMarks = false;    // 0x
   bool _hasStrings = false;
@@ -69,8 +62,7 @@ class ByteText {
   bool _isStrict = false;
   bool _hasIndex = false;  // a byte a line, after its number
   int _base = 16;
-  size_t _lines = 0;       // of the head, with bytes
-  size_t _frameLines = 0;  // that begin with a frame
+  size_t _lines = 0;  // of the head, with bytes
 };
 
 }  // namespace line

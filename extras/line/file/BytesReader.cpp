@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
+#include <utility>
 
 #include "line/Observer.h"
 #include "line/recording/Words.h"
@@ -10,39 +12,46 @@ namespace line {
 
 namespace {
 
-// Returns true if most channels of two frames hardly differ, like those of sticks.
-bool areAlike(const Values &a, const Values &b) {
-  constexpr int Move = 100;
-  constexpr size_t Least = 12;  // of 16
-  size_t count = 0;
+// Returns true if most channels of a frame hardly differ from those of the one before, like those of sticks; if hardly any
+// is at an end that no radio reaches, unless it is cut off there or not given; and if its bytes are of eight bits, as they
+// are of channels of 11 bits: small numbers and repeated tables have none of that.
+bool areSticks(const Stretch &frame, const Values &values, const Values &before) {
+  constexpr int Move = 100, End = 64;
+  constexpr size_t Alike = 12, Odd = 2;  // of 16
+  size_t alike = 0, odd = 0;
+  unsigned bits = 0;
   for (size_t i = 0; i < sbus::ProportionalCount; i++) {
-    count += std::abs(a.raw[i] - b.raw[i]) <= Move;
+    const int raw = values.raw[i];
+    alike += std::abs(raw - before.raw[i]) <= Move;
+    odd += (raw > 0 && raw < End) || (raw > sbus::ChannelMax - End && raw < sbus::ChannelMax);
   }
-  return a.count == b.count && count >= Least;
+  for (size_t i = 1; i < sbus::FlagsIndex; i++) {
+    bits |= frame.characters[i].value;
+  }
+  return values.count == before.count && alike >= Alike && odd <= Odd && (bits == 0xFF || bits == 0);
 }
 
 }  // namespace
 
 // A line has hardly anything but frames; a bad one has a quarter of its bytes in them, and these repeat.
-Evidence BytesReader::Found::evidence() const {
-  const bool isMost = 5 * taken >= 4 * bytes;
-  const bool areRepeated = frames == 1 ? 2 * taken >= bytes : 4 * taken >= bytes && 2 * alike + 1 >= frames;
-  return frames == 0 ? Evidence::None : isMost || areRepeated ? Evidence::Good : Evidence::Weak;
+bool BytesReader::Found::areLine() const {
+  const bool areRepeated = (frames == 1 ? 2 : 4) * taken >= bytes && 2 * alike > frames;
+  return frames > 0 && (20 * taken >= 19 * bytes || areRepeated);
 }
 
 BytesReader::BytesReader(std::string_view head, bool isText, const LineSettings &settings)
     : _isText(isText), _characterUs(settings.characterUs()), _text(isText ? head : std::string_view(), head.size() < FileHeadMax), _isLong(head.size() >= FileHeadMax) {
   examine(head);
-  if (_text.hasOffsets()) {  // read with each word's bytes in the other order, more of them may be in frames
-    const size_t taken = _found.taken;
+  if (_text.hasWords()) {  // with each word's bytes in the other order, more of them may be in frames
+    const auto asPrinted = std::pair(_found, _filled);
     _text.swapWords();
     examine(head);
-    if (_found.taken <= taken) {
+    if (_found.taken <= asPrinted.first.taken) {
       _text.swapWords();
-      examine(head);
+      std::tie(_found, _filled) = asPrinted;
     }
   }
-  if (_evidence != Evidence::Good && isText) {  // then each line must be bytes
+  if (!_found.areLine() && isText) {  // then each line must be bytes
     _text.setStrict();
     examine(head);
   }
@@ -53,13 +62,12 @@ void BytesReader::examine(std::string_view head) {
   for (std::string_view rest = head; !rest.empty();) {
     bytesOf(_isText ? takeLine(rest) : std::exchange(rest, std::string_view()), bytes);
   }
-  const FilledFrames filled(bytes);
-  const Found plain = framesOf(bytes, FilledFrames());
-  const Found spaced = filled.any() ? framesOf(bytes, filled) : Found();
-  const bool isSpaced = spaced.frames > plain.frames && spaced.evidence() == Evidence::Good;
-  _filled = isSpaced ? filled : FilledFrames();
-  _found = isSpaced ? spaced : plain;
-  _evidence = _found.evidence();
+  _filled = FilledFrames(bytes);
+  _found = framesOf(bytes, FilledFrames());
+  const Found spaced = _filled.any() ? framesOf(bytes, _filled) : Found();
+  const bool isSpaced = spaced.frames > _found.frames && spaced.areLine();
+  _filled = isSpaced ? _filled : FilledFrames();
+  _found = isSpaced ? spaced : _found;
 }
 
 BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames filled) const {
@@ -71,7 +79,7 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
     found.taken += stretch.isFrame() || !stretch.slots.empty() ? stretch.characters.size() : 0;
     found.frames += stretch.isFrame();
     if (stretch.isFrame() && stretch.kind != Stretch::Kind::Extra) {
-      found.alike += areAlike(observer.newest(), before);
+      found.alike += areSticks(stretch, observer.newest(), found.alike == 0 ? observer.newest() : before);
       before = observer.newest();
     }
   });
@@ -82,15 +90,17 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
   for (const Character &character : characters) {
     observer.put(character);
   }
+  observer.idleUntil(last.endUs + (_isLong ? 0 : TailUs));  // a file's last frame ends in silence
   observer.finish();
   found.bytes = bytes.size();
+  found.baud = observer.readAtBaud();
   return found;
 }
 
 std::string BytesReader::why() const {
   const char *const expected = "bytes of a line are expected, mostly frames, or a recording or a capture";
   return std::string("is no line of S.Bus: ") +
-         (_evidence == Evidence::None ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
+         (_found.frames == 0 ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
                                       : "only " + std::to_string(_found.taken) + " of its first " + std::to_string(_found.bytes) +
                                             (_isText ? " numbers" : " bytes") + " look like frames, which happens by chance") +
          "; " + expected;

@@ -12,10 +12,6 @@
 
 namespace line {
 
-// What frames say of the bytes that they are found in. Numbers look like a frame by chance, here and there: it is as
-// long as one, its first byte is 0F and its last one 00. Weak: no receiver sent these frames.
-enum class Evidence { None, Weak, Good };
-
 class BytesReader : public LineReader {
  public:
   // `head`: the file's first bytes, or the text's first lines.
@@ -25,8 +21,14 @@ class BytesReader : public LineReader {
   std::string finish(std::deque<Character> &characters) override;
   bool takesBytes() const override { return !_isText; }
 
+  // Returns true if a receiver sent the frames of the head.
+  bool hasFrames() const { return _found.areLine(); }
+
+  // Returns the baud rate at which a port has read a line, if another than its own; otherwise 0.
+  unsigned long readAtBaud() const { return _found.baud; }
+
   // Returns false if no receiver sent the frames: the head has some by chance, or none though it is long.
-  bool mayBeLine() const { return _evidence == Evidence::Good || (_evidence == Evidence::None && !_isLong); }
+  bool mayBeLine() const { return hasFrames() || readAtBaud() != 0 || (_found.frames == 0 && !_isLong); }
 
   // Returns why it may not, and what is expected.
   std::string why() const;
@@ -40,9 +42,13 @@ class BytesReader : public LineReader {
     size_t frames = 0;
     size_t bytes = 0;  // of all
     size_t taken = 0;  // by frames and telemetry
-    size_t alike = 0;  // frames that hardly differ from the one before
+    size_t alike = 0;  // frames that hardly differ from the one before; the first one of sticks is one
 
-    Evidence evidence() const;
+    unsigned long baud = 0;  // see Observer::readAtBaud()
+
+    // Returns true if a receiver sent them. Numbers look like a frame by chance, here and there: it is as long as one, its
+    // first byte is 0F and its last one 00.
+    bool areLine() const;
   };
 
   void examine(std::string_view head);
@@ -54,7 +60,6 @@ class BytesReader : public LineReader {
   ByteText _text;
   FilledFrames _filled;
   Found _found;
-  Evidence _evidence = Evidence::None;
   const bool _isLong;  // the head is only the beginning
   Character _last;
 };

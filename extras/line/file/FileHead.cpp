@@ -4,6 +4,7 @@
 
 #include "line/capture/Capture.h"
 #include "line/file/BytesReader.h"
+#include "line/file/DecodedReader.h"
 #include "line/file/JsonReader.h"
 #include "line/file/Mangled.h"
 #include "line/file/OtherText.h"
@@ -82,6 +83,9 @@ FileKind kindOfText(std::string_view text) {
       withoutBlanks(withoutBlanks(begin.substr(1)).substr(1)).substr(0, 6) == "\"type\"") {
     return FileKind::Json;  // jq -s makes one array of the lines, which is rejected
   }
+  if (DecodedReader::reads(begin)) {
+    return FileKind::Decoded;
+  }
   if (frameTable(text) == FrameTable::Yes) {
     return FileKind::Table;
   }
@@ -90,7 +94,7 @@ FileKind kindOfText(std::string_view text) {
   }
   const ByteText bytes(text, text.size() < FileHeadMax);
   const bool areRows = isCsvText(text.substr(0, RecordingBeginning));
-  if (bytes.isBytes() && (areRows ? bytes.hasFrames() : bytes.isList() || bytes.hasOffsets())) {
+  if (bytes.isBytes() && (areRows ? BytesReader(text, true, LineSettings()).hasFrames() : bytes.isList() || bytes.hasOffsets())) {
     return FileKind::Text;
   }
   if (areRows) {
@@ -104,12 +108,13 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
   // A column of voltages, which --sample-rate tells the times of, may look like bytes as well.
   std::string_view text = withoutBlanks(begin), words = takeLine(text);
   takeWord(words);
-  const bool isColumn = takeWord(words).empty() && !ByteText(begin, true).hasFrames();
+  const bool isColumn = takeWord(words).empty() && !BytesReader(begin, true, LineSettings()).hasFrames();
   const bool areBytes = kind == FileKind::Bytes || (kind == FileKind::Text && !isColumn);
   const char *const what = isOne                     ? "a recording of characters"
                            : areBytes                ? "bytes"
                            : kind == FileKind::Json  ? "JSON lines"
                            : kind == FileKind::Table ? "a table of frames"
+                           : kind == FileKind::Decoded ? "what sbus decode printed"
                                                      : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
@@ -172,6 +177,8 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
     head.startUs = read.startUs;
     head.hasTimes = read.hasTimes;
     head.isRead = read.isRead;
+  } else if (kind == FileKind::Decoded) {
+    head.settings = DecodedReader::settings(begin);
   } else if (kind == FileKind::Bytes || kind == FileKind::Text) {
     head.hasTimes = false;
   }
@@ -221,6 +228,9 @@ FileHead readFileHead(std::string_view begin, const std::string &name, unsigned 
   std::string text(plain.put(begin));
   text += plain.finish();
   if (std::any_of(text.begin(), text.end(), [](char c) { return c != '\0' && isControl(c); })) {
+    if (BytesReader(begin, false, LineSettings()).readAtBaud() != 0) {
+      return headOfText(FileKind::Bytes, begin, baud);
+    }
     return wrong("is neither text nor a receiver's bytes: a recording, a capture of the wire or bytes are expected");
   }
   const std::string other = whatText(text);
@@ -233,6 +243,8 @@ std::unique_ptr<LineReader> makeReader(const FileHead &head, bool isWhole) {
       return std::make_unique<JsonReader>(head.settings);
     case FileKind::Table:
       return std::make_unique<TableReader>(head.settings);
+    case FileKind::Decoded:
+      return std::make_unique<DecodedReader>(head.settings);
     case FileKind::Bytes:
     case FileKind::Text:
       return std::make_unique<BytesReader>(head.begin, head.kind == FileKind::Text, head.settings);

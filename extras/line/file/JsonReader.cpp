@@ -20,7 +20,6 @@ namespace {
 
 using Object = nlohmann::json;
 
-constexpr uint64_t OverlapMostUs = 10000000;  // more than this is another line's time
 constexpr const char *Expected = "JSON lines as sbus hex --json writes them are expected";
 
 std::string typeOf(const Object &object) {
@@ -84,10 +83,9 @@ bool endOf(const Object &object, uint8_t &end) {
     end = 0;
     return true;
   }
-  TextBytes bytes;
-  const std::string wrong = parseHex(found->is_string() ? found->get<std::string>() : "?", bytes);
-  const bool isByte = wrong.empty() && bytes.size() == 1 && !bytes[0].bad;
-  end = isByte ? bytes[0].value : 0;
+  std::vector<Character> read;
+  const bool isByte = found->is_string() && parseHex(found->get<std::string>(), read) && read.size() == 1 && !read[0].bad;
+  end = isByte ? read[0].value : 0;
   return isByte;
 }
 
@@ -141,18 +139,8 @@ std::string slotOf(const Object &object, std::vector<Character> &characters) {
 
 std::string bytesOf(const Object &object, std::vector<Character> &characters) {
   const auto text = object.find("bytes");
-  TextBytes bytes;
-  if (!parseHex(text != object.end() && text->is_string() ? text->get<std::string>() : "?", bytes).empty() ||
-      bytes.empty()) {
-    return "bytes: bytes in hexadecimal are expected, such as \"0F E3\"";
-  }
-  for (const TextByte &byte : bytes) {
-    Character character;
-    character.value = byte.value;
-    character.bad = byte.bad;
-    characters.push_back(character);
-  }
-  return {};
+  const bool areBytes = text != object.end() && text->is_string() && parseHex(text->get<std::string>(), characters);
+  return areBytes ? "" : "bytes: bytes in hexadecimal are expected, such as \"0F E3\"";
 }
 
 // Reads an object of type line.
@@ -224,24 +212,11 @@ std::string JsonReader::line(std::string_view text, std::deque<Character> &chara
   for (Character &character : came) {
     character.sinceUs = sinceUs;
   }
-  return put(us, static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
+  return put(us ? std::optional<int64_t>(std::llround(*us)) : std::nullopt, static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
 }
 
 std::string JsonReader::finish(std::deque<Character> & /*characters*/) {
   return _any ? "" : std::string("has no frames; ") + Expected;
-}
-
-// Appends characters that end at `endUs`, back to back.
-std::string JsonReader::put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
-                            std::deque<Character> &characters) {
-  const uint64_t endOfAll =
-      endOf(endUs ? std::optional<int64_t>(std::llround(*endUs)) : std::nullopt, came.size() * _characterUs);
-  if (_any && endOfAll + OverlapMostUs < _lastUs) {
-    return format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
-                        static_cast<unsigned long long>(_lastUs));
-  }
-  placed(endOfAll, appendLate(came, endOfAll, _lastUs, _characterUs, lateUs, characters));
-  return {};
 }
 
 }  // namespace line

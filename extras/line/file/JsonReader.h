@@ -36,9 +36,6 @@ class JsonReader : public FrameReader {
   bool isComplete() const override { return _hasEnded; }
 
  private:
-  std::string put(std::optional<double> endUs, uint32_t lateUs, const std::vector<Character> &came,
-                  std::deque<Character> &characters);
-
   bool _hasEnded = false;  // an object of type end came
 };
 

@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "line/FrameBytes.h"
 #include "line/Line.h"
 
 namespace line {
@@ -77,6 +79,18 @@ class FrameReader : public LineReader {
               std::to_string(lastUs - endUs) + " us, and others may be";
     }
     _lastUs = lastUs;
+  }
+
+  // Appends characters that end at `us` in the text, back to back; without a time, a period after those before. A port may
+  // have held them back for `lateUs`. Returns what is wrong with the time, or nothing.
+  std::string put(std::optional<int64_t> us, uint32_t lateUs, const std::vector<Character> &came, std::deque<Character> &characters) {
+    constexpr uint64_t OverlapMostUs = 10000000;  // more than this is another line's time
+    const uint64_t endUs = endOf(us, came.size() * _characterUs);
+    if (_any && endUs + OverlapMostUs < _lastUs) {
+      return "its time, " + std::to_string(endUs) + " us, is not after the previous one, " + std::to_string(_lastUs) + " us";
+    }
+    placed(endUs, appendLate(came, endUs, _lastUs, _characterUs, lateUs, characters));
+    return {};
   }
 
   const uint32_t _characterUs;

@@ -35,10 +35,11 @@ bool areBits(std::string_view text) {
   return 2 * bits > all && all >= 8;
 }
 
-// Returns true if a text begins like a dump, with offset 0.
+// Returns true if a text begins like a dump, with offset 0, or is bits, eight and more a word.
 bool isDump(std::string_view text) {
+  const bool areBits = consistsOf(text.substr(0, 1000), "01bB ,;\t\r\n");
   const std::string_view word = takeWord(text), offset = word.substr(0, word.find(':'));
-  return offset.size() >= 7 && consistsOf(offset, "0");
+  return (offset.size() >= 7 && consistsOf(offset, "0")) || (areBits && word.size() >= 8);
 }
 
 // (1436509052.249713) can0 123#0FE0

@@ -158,6 +158,33 @@ void AvrBoard::mendTimers() {
   }
 }
 
+// Libsimavr 1.6 has none in an ATmega2560. Its registers are where a 328P has them; its interrupt is number 28.
+avr_acomp_t *AvrBoard::addComparator() {
+  constexpr unsigned Control = 0x50;  // ACSR
+  const auto bit = [](unsigned number) {
+    avr_regbit_t found = {};
+    found.reg = Control;
+    found.bit = number & 7;
+    found.mask = 1;
+    return found;
+  };
+  avr_acomp_t &added = _added;
+  added.r_acsr = Control;
+  added.acis[0] = bit(0);
+  added.acis[1] = bit(1);
+  added.acic = bit(2);
+  added.ac.enable = bit(3);
+  added.ac.raised = bit(4);
+  added.ac.vector = 28;
+  added.aco = bit(5);
+  added.acbg = bit(6);
+  added.disabled = bit(7);
+  added.timer_name = '1';
+  avr_acomp_init(_avr, &added);
+  added.io.reset(&added.io);
+  return &added;
+}
+
 // Libsimavr 1.6 sets ACI and ACO as they are written; a chip clears ACI by a 1, and ACO is read-only.
 void AvrBoard::mendComparator() {
   if (_model.receiver != None) {
@@ -167,6 +194,9 @@ void AvrBoard::mendComparator() {
     if (std::strcmp(io->kind, "ac") == 0) {
       _comparator = reinterpret_cast<avr_acomp_t *>(io);
     }
+  }
+  if (_comparator == nullptr) {
+    _comparator = addComparator();
   }
   on(avr_io_getirq(_avr, AVR_IOCTL_ACOMP_GETIRQ, ACOMP_IRQ_OUT), [this](uint32_t value) { _isHigh = value != 0; });
   avr_register_io_write(

@@ -29,7 +29,7 @@ struct Pin {
 struct Model {
   const char *name;  // of the folder with its sketches
   const char *chip;
-  size_t receiver;  // the USART at the S.Bus line; None: the comparator, pin 7
+  size_t receiver;  // the USART at the S.Bus line; None: the comparator, pin 7 or 5
   size_t console;   // the USART that prints; None: the USB does, or nothing
   Pin servos[4];    // the pins 2..5
   Pin led;
@@ -50,6 +50,19 @@ constexpr Model Mega = {"mega",
 constexpr Model Uno = {"uno", "atmega328p", None, 0, {{'D', 2}, {'D', 3}, {'D', 4}, {'D', 5}}, {'B', 5}, {}, 1024};
 constexpr Model Leonardo = {"leonardo", "atmega32u4", 1,   None, {{'D', 1}, {'D', 0}, {'D', 4}, {'C', 6}},
                             {'C', 7},   {},           1024};
+
+// Returns the board with the S.Bus line at its comparator instead.
+constexpr Model atComparator(Model model) {
+  model.receiver = None;
+  return model;
+}
+
+// Returns the board with the line at its USART 0, which then prints nothing.
+constexpr Model atPort(Model model) {
+  model.receiver = 0;
+  model.console = None;
+  return model;
+}
 
 constexpr size_t SBusInput = 4;
 
@@ -130,6 +143,7 @@ class AvrBoard {
   void load(const std::string &sketch);
   void findUsarts();
   void mendTimers();
+  avr_acomp_t *addComparator();
   void mendComparator();
   void compare(uint8_t control);
   void setLine(bool isHigh);
@@ -172,6 +186,7 @@ class AvrBoard {
   bool _isOpen = false;
   line::LineSettings _settings;  // then
   avr_acomp_t *_comparator = nullptr;
+  avr_acomp_t _added = {};
   bool _isHigh = false;  // its output
   struct Edge {
     avr_cycle_count_t cycle;

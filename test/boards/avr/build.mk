@@ -12,7 +12,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Busy InterruptsOff Masked OtherCode Pin PinBackground
+OURS_ALONE := Background Busy InterruptsOff Masked OtherCode Pin PinBackground PinLoops PinLoopsPort
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega
@@ -22,7 +22,7 @@ uno := atmega328p UNO standard
 reason = $(strip $(if $(filter leonardo-PwmIn uno-PwmIn,$1-$2),needs four pins with interrupts) \
   $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),An SBusPin only receives))
 # Busy and Masked have a timer 2.
-ours = $(if $(filter mega,$1),$(filter-out Pin%,$(OURS_ALONE)),$(if $(filter leonardo,$1),Background InterruptsOff,Pin PinBackground))
+ours = $(if $(filter mega,$1),$(filter-out PinLoops%,$(OURS_ALONE)),$(if $(filter leonardo,$1),Background InterruptsOff,$(filter Pin%,$(OURS_ALONE))))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
 sketches = $(filter-out $(call rejected,$1),$(EXAMPLES)) $(call ours,$1)
 elves = $(patsubst %,$(OUT)/$1/%.elf,$(call sketches,$1))

@@ -1,0 +1,3 @@
+// PinLoops.cpp with a hardware port.
+#define PORT
+#include "PinLoops.cpp"
