@@ -90,10 +90,8 @@ void Bridge::take(size_t i, const line::Stretch &stretch) {
   }
   const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
   receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
-  if (isFresh && stretch.kind != Kind::Extra) {
-    _choice.put(i, last.endUs, receiver.observer.newest());
-  }
-  if (i == chosen(last.endUs)) {
+  judge(last.endUs);
+  if (i == _choice.flying()) {
     _end = last.value;
     send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
   }
@@ -116,15 +114,45 @@ void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
   }
 }
 
-// With --trainer, always chooses the teacher's receiver.
-size_t Bridge::chosen(uint64_t nowUs) {
-  const size_t chosen = _options.rules.hasTrainer() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
-  if (chosen != _chosen) {
-    std::fprintf(stderr, "%.3f s: %s %s\n", static_cast<double>(nowUs) / 1e6,
-                 _receivers[chosen]->source.name().c_str(), chosen == 0 ? "has its link back" : "takes over");
-    _chosen = chosen;
+// Judges the receivers, and chooses one: with --trainer the teacher's.
+void Bridge::judge(uint64_t nowUs) {
+  if (_receivers[1] == nullptr) {
+    return;
   }
-  return chosen;
+  _judgedUs = std::max(_judgedUs, nowUs);  // the two are not in step to the microsecond
+  for (Receiver *const each : _receivers) {
+    line::Observer &observer = each->observer;
+    const sbus::LinkState state = observer.state(_judgedUs);
+    each->reception = {each->freshUs > 0 && fits(*each) ? state : sbus::LinkState::NeverSeen,
+                       static_cast<unsigned long>((_judgedUs - each->freshUs) / 1000),
+                       each->quality.update(observer.counters(), state, static_cast<uint32_t>(_judgedUs))};
+  }
+  const auto ms = static_cast<uint32_t>(_judgedUs / 1000);
+  if (sbus::Trainer *const trainer = _options.rules.trainer()) {
+    trainer->hear(_receivers[1]->reception, ms);
+    return;
+  }
+  const uint8_t before = _choice.flying();
+  const uint8_t flying = _choice.choose({_receivers[0]->reception, _receivers[1]->reception}, ms);
+  if (flying != before) {
+    std::fprintf(stderr, "%.3f s: %s takes over\n", static_cast<double>(nowUs) / 1e6,
+                 _receivers[flying]->source.name().c_str());
+  }
+}
+
+// Returns false, and once says why, if the receiver sends another format or range than the one that flies.
+bool Bridge::fits(Receiver &receiver) {
+  Receiver &flying = *_receivers[_choice.flying()];
+  const bool hasOtherSize = receiver.freshUs > 0 && flying.freshUs > 0 && receiver.observer.has24() != flying.observer.has24();
+  if (!hasOtherSize && !sbus::haveOtherRanges(receiver.observer.newest().raw.data(), flying.observer.newest().raw.data())) {
+    return true;
+  }
+  if (!receiver.isLeftOut) {
+    receiver.isLeftOut = true;
+    std::fprintf(stderr, "%s: left out, since %s sends %s\n", receiver.source.name().c_str(), flying.source.name().c_str(),
+                 hasOtherSize ? "another number of channels" : "the other make's range");
+  }
+  return false;
 }
 
 bool Bridge::haveEnded() const {
@@ -139,7 +167,8 @@ bool Bridge::isBroken() const {
 // While no fresh frames arrive, sends the newest values with both flags, like a receiver without a link. The end of a
 // file is no silence of the line. Returns true if it has to.
 bool Bridge::fill(uint64_t nowUs) {
-  Receiver &receiver = *_receivers[chosen(nowUs)];
+  judge(nowUs);
+  Receiver &receiver = *_receivers[_choice.flying()];
   const bool isStale = receiver.observer.state(nowUs) == sbus::LinkState::Stale ||
                        nowUs > receiver.freshUs + line::SilenceUs || isBroken();
   if (receiver.observer.newest().count == 0 || !isStale || (haveEnded() && !receiver.source.isLive())) {
@@ -158,15 +187,15 @@ bool Bridge::fill(uint64_t nowUs) {
 // its own `flags`.
 void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   const uint64_t nowUs = last.endUs;
-  Receiver &receiver = *_receivers[_chosen];
+  Receiver &receiver = *_receivers[_choice.flying()];
   const bool isFresh = nowUs <= receiver.freshUs + line::SilenceUs && !isBroken();
   const sbus::LinkState state = isFresh ? receiver.observer.state(nowUs) : sbus::LinkState::Stale;
   const line::Values &newest = receiver.observer.newest();
   BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
                      kind == Kind::Extra ? line::withFlags(newest, flags) : newest,
                      _options.keepsEnd ? _end : uint8_t{0}, last.sinceUs, last.lateUs};
-  if (_options.rules.hasTrainer() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
-    _options.rules.train(frame.values, _receivers[1]->observer.newest());
+  if (const sbus::Trainer *const trainer = _options.rules.trainer()) {
+    trainer->train(frame.values.raw.data(), receiver.reception, _receivers[1]->observer.newest().raw.data());
   }
   if (kind != Kind::Extra) {
     _options.rules.apply(frame.values.raw.data());

@@ -2,7 +2,6 @@
 // live line.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,6 +14,8 @@
 #include "cli/options/SourceOption.h"
 #include "line/Observer.h"
 #include "line/Statistics.h"
+#include "sbus/LinkQuality.h"
+#include "sbus/ReceiverChoice.h"
 
 namespace tool {
 
@@ -35,46 +36,9 @@ struct Receiver {
   SilenceNote silence;
   line::Observer observer;
   uint64_t freshUs = 0;  // the end of the newest frame that may leave
-};
-
-// Chooses one of two receivers: the second only while the first has no link.
-class TwoReceivers {
- public:
-  // Takes a frame of receiver 0 or 1.
-  void put(size_t receiver, uint64_t nowUs, const line::Values &values) {
-    if (values.failsafe) {
-      _goodUs[receiver] = 0;
-    } else if (!values.lostFrame) {
-      _goodUs[receiver] = nowUs;
-    }
-    choose(nowUs);
-  }
-
-  // Returns true if a frame without a flag came within the last 0.1 s, and no failsafe frame since.
-  bool isGood(size_t receiver, uint64_t nowUs) const {
-    return _goodUs[receiver] > 0 && nowUs < _goodUs[receiver] + GoodForUs;
-  }
-
-  // Returns the receiver chosen at `nowUs`, which may be a little earlier than in the previous call. The choice stays
-  // while neither is good.
-  size_t choose(uint64_t nowUs) {
-    const bool isFirst = isGood(0, nowUs), isSecond = isGood(1, nowUs);
-    _firstSinceUs = !isFirst ? 0 : _firstSinceUs == 0 ? nowUs : _firstSinceUs;
-    if (_chosen == 0) {
-      _chosen = !isFirst && isSecond && nowUs >= GoodForUs ? 1 : 0;  // at the start, wait for the first
-    } else if (isFirst && (!isSecond || nowUs >= _firstSinceUs + BackUs)) {
-      _chosen = 0;
-    }
-    return _chosen;
-  }
-
- private:
-  static constexpr uint64_t GoodForUs = 100000;
-  static constexpr uint64_t BackUs = 1000000;  // the first has been good for so long before it is chosen again
-
-  size_t _chosen = 0;
-  std::array<uint64_t, 2> _goodUs{};  // time of the newest frame without a flag; 0: none, or failsafe since
-  uint64_t _firstSinceUs = 0;         // the first has been good since then; 0: it is not
+  sbus::LinkQuality quality;
+  sbus::Reception reception{};
+  bool isLeftOut = false;  // its frames do not fit those of the other receiver, and this was said
 };
 
 class Bridge {
@@ -94,7 +58,8 @@ class Bridge {
   Input::Taker taker(size_t i);
   void take(size_t i, const line::Stretch &stretch);
   void tick(Receiver &receiver, uint64_t nowUs);
-  size_t chosen(uint64_t nowUs);
+  void judge(uint64_t nowUs);
+  bool fits(Receiver &receiver);
   bool haveEnded() const;
   bool isBroken() const;
   bool fill(uint64_t nowUs);
@@ -104,10 +69,10 @@ class Bridge {
   Receiver *const _receivers[2];
   const std::string _to;
   FrameOutput _output;
-  TwoReceivers _choice;
+  sbus::ReceiverChoice<2> _choice;
   const bool _isText;
   const bool _hasTimes;
-  size_t _chosen = 0;
+  uint64_t _judgedUs = 0;
   uint64_t _sentUs = 0;
   uint8_t _end = 0;  // the newest frame's end byte
 };
