@@ -12,6 +12,10 @@
 /// The arguments of the constructors of DecodeSBus and EncodeSBus: the port, and RX and TX where pins must be named,
 /// such as `Serial1, 16, 17`. To choose others, define it before this header.
 
+/// @def SBUS_SECOND_UART
+/// Likewise another port, for a second receiver, where the board has one beside SBUS_UART and the port that prints:
+/// otherwise it is not defined. To choose another, define it before this header.
+
 /// @def SBUS_FREE_PINS
 /// Four pins that SBUS_UART leaves free. To choose others, define it before this header.
 
@@ -78,6 +82,19 @@
 
 #else
 #define SBUS_UART Serial1
+#endif
+#endif
+
+#if !defined(SBUS_SECOND_UART)
+#if defined(ARDUINO_NANO_ESP32) || defined(ARDUINO_XIAO_ESP32S3)
+#define SBUS_SECOND_UART Serial2, D8, D9
+#elif defined(CONFIG_IDF_TARGET_ESP32S3)
+#define SBUS_SECOND_UART Serial2, 18, 8
+#elif defined(CONFIG_IDF_TARGET_ESP32) || defined(ESP32) && !defined(ESP_ARDUINO_VERSION_MAJOR)
+#define SBUS_SECOND_UART Serial2, 32, 33
+#elif defined(HAVE_HWSERIAL2) || defined(CORE_TEENSY) || defined(ARDUINO_ARCH_stm32l0) || defined(ARDUINO_ARCH_SAM) || \
+    (defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED))
+#define SBUS_SECOND_UART Serial2
 #endif
 #endif
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/Output.h"
 #include "line/Silence.h"
@@ -114,45 +115,22 @@ void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
   }
 }
 
-// Judges the receivers, and chooses one: with --trainer the teacher's.
 void Bridge::judge(uint64_t nowUs) {
   if (_receivers[1] == nullptr) {
     return;
   }
-  _judgedUs = std::max(_judgedUs, nowUs);  // the two are not in step to the microsecond
-  for (Receiver *const each : _receivers) {
-    line::Observer &observer = each->observer;
-    const sbus::LinkState state = observer.state(_judgedUs);
-    each->reception = {each->freshUs > 0 && fits(*each) ? state : sbus::LinkState::NeverSeen,
-                       static_cast<unsigned long>((_judgedUs - each->freshUs) / 1000),
-                       each->quality.update(observer.counters(), state, static_cast<uint32_t>(_judgedUs))};
-  }
-  const auto ms = static_cast<uint32_t>(_judgedUs / 1000);
-  if (sbus::Trainer *const trainer = _options.rules.trainer()) {
-    trainer->hear(_receivers[1]->reception, ms);
-    return;
-  }
-  const uint8_t before = _choice.flying();
-  const uint8_t flying = _choice.choose({_receivers[0]->reception, _receivers[1]->reception}, ms);
-  if (flying != before) {
-    std::fprintf(stderr, "%.3f s: %s takes over\n", static_cast<double>(nowUs) / 1e6,
-                 _receivers[flying]->source.name().c_str());
-  }
-}
-
-// Returns false, and once says why, if the receiver sends another format or range than the one that flies.
-bool Bridge::fits(Receiver &receiver) {
+  Receiver &first = *_receivers[0], &second = *_receivers[1];
+  const size_t before = _choice.flying();
+  _choice.judge(first, second, _options.rules.trainer(), nowUs);
   Receiver &flying = *_receivers[_choice.flying()];
-  const bool hasOtherSize = receiver.freshUs > 0 && flying.freshUs > 0 && receiver.observer.has24() != flying.observer.has24();
-  if (!hasOtherSize && !sbus::haveOtherRanges(receiver.observer.newest().raw.data(), flying.observer.newest().raw.data())) {
-    return true;
+  if (&flying != _receivers[before]) {
+    std::fprintf(stderr, "%.3f s: %s takes over\n", static_cast<double>(nowUs) / 1e6, flying.source.name().c_str());
   }
-  if (!receiver.isLeftOut) {
-    receiver.isLeftOut = true;
-    std::fprintf(stderr, "%s: left out, since %s sends %s\n", receiver.source.name().c_str(), flying.source.name().c_str(),
-                 hasOtherSize ? "another number of channels" : "the other make's range");
+  Receiver &other = &flying == &first ? second : first;
+  if (other.misfit != nullptr && !std::exchange(other.isMisfitSaid, true)) {
+    std::fprintf(stderr, "%s: left out, since %s sends %s\n", other.source.name().c_str(), flying.source.name().c_str(),
+                 other.misfit);
   }
-  return false;
 }
 
 bool Bridge::haveEnded() const {

@@ -9,13 +9,11 @@
 
 #include "cli/Input.h"
 #include "cli/SilenceNote.h"
+#include "cli/bridge/Choice.h"
 #include "cli/bridge/FrameOutput.h"
 #include "cli/bridge/FrameRules.h"
 #include "cli/options/SourceOption.h"
-#include "line/Observer.h"
-#include "line/Statistics.h"
-#include "sbus/LinkQuality.h"
-#include "sbus/ReceiverChoice.h"
+#include "line/Segments.h"
 
 namespace tool {
 
@@ -28,17 +26,12 @@ struct BridgeOptions {
   bool keepsEnd = true;  // the end byte; otherwise 00
 };
 
-struct Receiver {
+struct Receiver : Heard {
   explicit Receiver(const SourceOption &option);
 
   const SourceOption &source;
   const std::unique_ptr<Input> input;
   SilenceNote silence;
-  line::Observer observer;
-  uint64_t freshUs = 0;  // the end of the newest frame that may leave
-  sbus::LinkQuality quality;
-  sbus::Reception reception{};
-  bool isLeftOut = false;  // its frames do not fit those of the other receiver, and this was said
 };
 
 class Bridge {
@@ -59,7 +52,6 @@ class Bridge {
   void take(size_t i, const line::Stretch &stretch);
   void tick(Receiver &receiver, uint64_t nowUs);
   void judge(uint64_t nowUs);
-  bool fits(Receiver &receiver);
   bool haveEnded() const;
   bool isBroken() const;
   bool fill(uint64_t nowUs);
@@ -69,10 +61,9 @@ class Bridge {
   Receiver *const _receivers[2];
   const std::string _to;
   FrameOutput _output;
-  sbus::ReceiverChoice<2> _choice;
+  Choice _choice;
   const bool _isText;
   const bool _hasTimes;
-  uint64_t _judgedUs = 0;
   uint64_t _sentUs = 0;
   uint8_t _end = 0;  // the newest frame's end byte
 };
