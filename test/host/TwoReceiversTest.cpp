@@ -72,7 +72,7 @@ void restart() {
 
 constexpr uint32_t CharacterUs = 120;
 constexpr uint64_t LengthUs = 6000000;
-constexpr uint64_t MillisUs = 1000;  // a step of millis()
+constexpr uint64_t MillisUs = 2000;  // millis() is up to 1.5 ms behind: FakeClock.cpp
 
 // A frame of one of the receivers, each with its number: CH1 to CH3 tell whose it is and which.
 struct Whole {
@@ -96,7 +96,7 @@ struct SeededLine {
       const What what = Events[below(10)];
       const uint64_t untilUs = us + 20000 + below(what == Good ? 2500000 : 900000);
       const unsigned share = 1 + below(70);  // of 100 frames, the lost ones, in bursts
-      for (unsigned burst = 0; us < untilUs; us += periodUs) {
+      for (unsigned burst = 0; us < std::min(untilUs, LengthUs); us += periodUs) {
         burst = burst > 0 ? burst - 1 : what == Lossy && below(100) < share ? below(5) : 0;
         const bool isLost = what == AllLost || burst > 0;
         if (what == Garbage) {
@@ -254,11 +254,11 @@ std::vector<Change> bridge(const SeededLine (&lines)[2]) {
   return changes;
 }
 
-// Returns who flew, in turn, "0 1 0", but for the start.
+// Returns who flew, in turn, "0 1 0", but for the start and the end.
 std::string flightsOf(const std::vector<Change> &changes) {
   std::string text;
   for (const Change &change : changes) {
-    text += change.us < 100000 ? "" : std::to_string(change.flying) + " ";
+    text += change.us < 100000 || change.us > LengthUs ? "" : std::to_string(change.flying) + " ";
   }
   return text;
 }
