@@ -3,12 +3,15 @@
 
   Wiring (Tlera Grasshopper): teacher's receiver S.Bus -> D0 (RX1), pupil's S.Bus -> A3 (RX2), GND -> GND
     A2 (TX2) -> the S.Bus input of the next device, GND -> its GND
+    Uno R3, Nano: teacher -> 7, pupil -> inverter -> 0, 1 -> inverter -> the next device
     Other boards, what to set on the receivers, and a test on the ground: extras/docs/two-receivers.md
 
   While CH5 of the teacher is on, CH1 to CH4 are the pupil's. All other channels and the flags are always the teacher's. A
   pupil who is lost gives the channels back at once; a teacher who is lost is failsafe, whatever the pupil does.
-  Sends "teacher" or "pupil" over USB at each change.
+  Sends "teacher" or "pupil" over USB at each change. An Uno has no port left for that: its LED is lit while the pupil flies.
 */
+
+#define SBUS_MAY_TAKE_USB
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
@@ -32,24 +35,35 @@ const unsigned long PERIOD = 6000;        // us; the fastest receivers send as o
 sbus::Trainer trainer(SWITCH, CHANNELS, sbus::FrSky);
 SBusFrame teachers, pupils;
 bool isDue;  // a frame of the teacher has come that has not been sent
+bool isOther;  // the pupil's receiver sends the range of the other make: the sticks would jump
 bool isPupils;
 
+void tell() {
+#if SBUS_SECOND_TAKES_USB
+  digitalWrite(LED_BUILTIN, isPupils ? HIGH : LOW);
+#else
+  Serial.println(isPupils ? "pupil" : "teacher");
+#endif
+}
+
 void setup() {
+#if SBUS_SECOND_TAKES_USB
+  pinMode(LED_BUILTIN, OUTPUT);
+#else
   Serial.begin(115200);
+#endif
   teacher.begin();
   pupil.begin();  // opens the port both ways, also for `output`
   output.setPeriod(PERIOD);
-  Serial.println("teacher");
+  tell();
 }
 
 void loop() {
   isDue = teacher.read(teachers) || isDue || teachers.failsafe;
-  pupil.read(pupils);
-  sbus::Reception pupilsReception = {pupil.linkState(), pupils.age, 0};
-  if (sbus::haveOtherRanges(teachers.channels, pupils.channels)) {
-    pupilsReception.state = sbus::LinkState::NeverSeen;  // the sticks would jump
+  if (pupil.read(pupils)) {
+    isOther = sbus::haveOtherRanges(teachers.channels, pupils.channels);
   }
-  trainer.hear(pupilsReception, millis());
+  trainer.hear({isOther ? sbus::LinkState::NeverSeen : pupil.linkState(), pupils.age, 0}, millis());
 
   const sbus::Reception teachersReception = {teacher.linkState(), teachers.age, 0};
   SBusFrame frame = teachers;
@@ -63,6 +77,6 @@ void loop() {
     isDue = false;
   }
   if (isPupils != wasPupils) {
-    Serial.println(isPupils ? "pupil" : "teacher");
+    tell();
   }
 }

@@ -3,12 +3,16 @@
 
   Wiring (Tlera Grasshopper): first receiver S.Bus -> D0 (RX1), second S.Bus -> A3 (RX2), GND -> GND
     A2 (TX2) -> the S.Bus input of the next device, GND -> its GND
+    Uno R3, Nano: first -> 7, second -> inverter -> 0, 1 -> inverter -> the next device
     Other boards, what to set on the receivers, and a test on the ground: extras/docs/two-receivers.md
 
   A receiver in failsafe, or without a frame for 100 ms, is left at once, and one that loses frames after 0.2 s. The first
   one flies again when it has been good for a second. When both are lost, frames go out with both flags.
-  Sends over USB, once a second and at each change, who flies, how often that has changed, and how both receive.
+  Sends over USB, once a second and at each change, who flies, how often that has changed, and how both receive. An Uno has
+  no port left for that: its LED is lit while the second one flies.
 */
+
+#define SBUS_MAY_TAKE_USB
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
@@ -26,7 +30,6 @@ DecodeSBus second(SBUS_SECOND_UART);
 EncodeSBus output(SBUS_SECOND_UART);
 DecodeSBus *const receivers[] = {&first, &second};
 
-const char *const STATES[] = {"never seen", "ok", "lossy", "failsafe", "stale"};
 const uint16_t CLOSED = sbus::FrSky.low;   // CH3 at -100 %; Futaba: sbus::Futaba.low
 const unsigned long PERIOD = 6000;         // us; the fastest receivers send as often
 const unsigned long PERIOD_DISPLAY = 1000;  // ms
@@ -35,17 +38,32 @@ SBusFrame frames[2];
 sbus::Reception receptions[2];
 sbus::LinkQuality qualities[2];
 sbus::ReceiverChoice<2> choice;
-bool isDue;  // a frame has come that has not been sent
+bool isOther[2];  // sends the range of the other make: its sticks would jump
+bool isDue;       // a frame has come that has not been sent
 
-// Says why a receiver is not used though something comes from it.
+#if SBUS_SECOND_TAKES_USB
+void beginTelling() {
+  pinMode(LED_BUILTIN, OUTPUT);
+}
+void tell() {
+  digitalWrite(LED_BUILTIN, choice.flying() == 1 ? HIGH : LOW);
+}
+#else
+const char *const STATES[] = {"never seen", "ok", "lossy", "failsafe", "stale"};
+
+// Returns why a receiver is not used though something comes from it.
 const char *fault(uint8_t i) {
   const sbus::Counters counters = receivers[i]->counters();
-  return counters.frames != 0            ? receptions[i].state == sbus::LinkState::NeverSeen ? ", has the other make's range" : ""
+  return isOther[i]                      ? ", has the other make's range"
+         : counters.frames != 0          ? ""
          : counters.otherSizeFrames != 0 ? ", sends 24 channels: set it to 16"
          : counters.discardedBytes != 0  ? ", no frames: the example Diagnose says why"
                                          : "";
 }
 
+void beginTelling() {
+  Serial.begin(115200);
+}
 void tell() {
   Serial.print(choice.flying() == 0 ? "first flies, " : "second flies, ");
   Serial.print(choice.changes());
@@ -60,9 +78,10 @@ void tell() {
   }
   Serial.println();
 }
+#endif
 
 void setup() {
-  Serial.begin(115200);
+  beginTelling();
   first.begin();
   second.begin();  // opens the port both ways, also for `output`
   output.setPeriod(PERIOD);
@@ -72,12 +91,12 @@ void loop() {
   const uint8_t before = choice.flying();
   for (uint8_t i = 0; i < 2; i++) {
     DecodeSBus &receiver = *receivers[i];
-    const bool isNew = receiver.read(frames[i]);
-    isDue = isDue || (isNew && i == before);
-    receptions[i] = {receiver.linkState(), frames[i].age, qualities[i].update(receiver)};
-    if (sbus::haveOtherRanges(frames[i].channels, frames[before].channels)) {
-      receptions[i].state = sbus::LinkState::NeverSeen;  // the sticks would jump
+    if (receiver.read(frames[i])) {
+      isDue = isDue || i == before;
+      isOther[i] = sbus::haveOtherRanges(frames[i].channels, frames[before].channels);
     }
+    receptions[i] = {isOther[i] ? sbus::LinkState::NeverSeen : receiver.linkState(), frames[i].age,
+                     qualities[i].update(receiver)};
   }
   const uint8_t flying = choice.choose(receptions, millis());
   const sbus::LinkState state = receptions[flying].state;

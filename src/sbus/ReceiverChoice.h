@@ -67,6 +67,7 @@ class ReceiverChoice {
   uint8_t choose(const Reception (&receivers)[Count], uint32_t now) {
     const Reception &flying = receivers[_flying];
     const bool mustLeave = !flying.isUsable();
+    _hasFlown = _hasFlown || !mustLeave;
     const bool mayLeave = now - _changed >= BackTime;
     const bool isStart = _changes == 0 && !mayLeave;
     uint8_t best = _flying;
@@ -93,7 +94,8 @@ class ReceiverChoice {
     }
     _good = good;
     if (best != _flying) {
-      _changes += flying.state != LinkState::NeverSeen && (mustLeave || !isStart);
+      _changes += _hasFlown && (mustLeave || !isStart);
+      _hasFlown = false;
       _flying = best;
       _changed = now;
       _good = 0;
@@ -104,7 +106,7 @@ class ReceiverChoice {
   /// Returns what choose() returned last; 0 before that.
   uint8_t flying() const { return _flying; }
 
-  /// Returns how often another receiver has taken over, counted from 0; at the start the first to be seen does not count.
+  /// Returns how often another receiver has taken over from one that was usable, except at the start; 0 before that.
   uint32_t changes() const { return _changes; }
 
  private:
@@ -126,6 +128,7 @@ class ReceiverChoice {
 
   uint8_t _flying = 0;
   uint8_t _good = 0;  // bits: these are as good as a receiver must be to take over
+  bool _hasFlown = false;  // the one that flies has been usable since it took over
   uint32_t _changes = 0;
   uint32_t _changed = 0;        // ms, when another took over
   uint32_t _since[Count] = {};  // ms; each that is good has been since then
