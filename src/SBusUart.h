@@ -13,8 +13,8 @@
 /// such as `Serial1, 16, 17`. To choose others, define it before this header.
 
 /// @def SBUS_SECOND_UART
-/// Likewise another port, for a second receiver; not defined where the board has none. To choose another, define it before
-/// this header.
+/// Likewise another port, for a second receiver; not defined where the board has none. To choose another, define it
+/// before this header.
 
 /// @def SBUS_SECOND_TAKES_USB
 /// 1 if SBUS_SECOND_UART is the port that Serial prints on, as on an Uno: it is then defined only for a sketch that has

@@ -6,9 +6,10 @@
     Uno R3, Nano: teacher -> 7, pupil -> inverter -> 0, 1 -> inverter -> the next device
     Other boards, what to set on the receivers, and a test on the ground: extras/docs/two-receivers.md
 
-  While CH5 of the teacher is on, CH1 to CH4 are the pupil's. All other channels and the flags are always the teacher's. A
-  pupil who is lost gives the channels back at once; a teacher who is lost is failsafe, whatever the pupil does.
-  Sends "teacher" or "pupil" over USB at each change. An Uno has no port left for that: its LED is lit while the pupil flies.
+  While CH5 of the teacher is on, CH1 to CH4 are the pupil's. All other channels and the flags are always the teacher's.
+  A pupil who is lost gives the channels back at once; a teacher who is lost is failsafe, whatever the pupil does.
+  Sends "teacher" or "pupil" over USB at each change. An Uno has no port left for that: its LED is lit while the pupil
+  flies.
 */
 
 #define SBUS_MAY_TAKE_USB
@@ -34,7 +35,7 @@ const unsigned long PERIOD = 6000;        // us; the fastest receivers send as o
 
 sbus::Trainer trainer(SWITCH, CHANNELS, sbus::FrSky);
 SBusFrame teachers, pupils;
-bool isDue;  // a frame of the teacher has come that has not been sent
+bool isDue;    // a frame of the teacher has come that has not been sent
 bool isOther;  // the pupil's receiver sends the range of the other make: the sticks would jump
 bool isPupils;
 

@@ -6,10 +6,10 @@
     Uno R3, Nano: first -> 7, second -> inverter -> 0, 1 -> inverter -> the next device
     Other boards, what to set on the receivers, and a test on the ground: extras/docs/two-receivers.md
 
-  A receiver in failsafe, or without a frame for 100 ms, is left at once, and one that loses frames after 0.2 s. The first
-  one flies again when it has been good for a second. When both are lost, frames go out with both flags.
-  Sends over USB, once a second and at each change, who flies, how often that has changed, and how both receive. An Uno has
-  no port left for that: its LED is lit while the second one flies.
+  A receiver in failsafe, or without a frame for 100 ms, is left at once, and one that loses all frames after 0.2 s. The
+  first one flies again when it has been good for a second. When both are lost, frames go out with the failsafe flag.
+  Sends over USB, once a second and at each change, who flies, how often that has changed, and how both receive. An Uno
+  has no port left for that: its LED is lit while the second one flies.
 */
 
 #define SBUS_MAY_TAKE_USB
@@ -30,8 +30,8 @@ DecodeSBus second(SBUS_SECOND_UART);
 EncodeSBus output(SBUS_SECOND_UART);
 DecodeSBus *const receivers[] = {&first, &second};
 
-const uint16_t CLOSED = sbus::FrSky.low;   // CH3 at -100 %; Futaba: sbus::Futaba.low
-const unsigned long PERIOD = 6000;         // us; the fastest receivers send as often
+const uint16_t CLOSED = sbus::FrSky.low;    // CH3 at -100 %; Futaba: sbus::Futaba.low
+const unsigned long PERIOD = 6000;          // us; the fastest receivers send as often
 const unsigned long PERIOD_DISPLAY = 1000;  // ms
 
 SBusFrame frames[2];
@@ -101,9 +101,12 @@ void loop() {
   const uint8_t flying = choice.choose(receptions, millis());
   const sbus::LinkState state = receptions[flying].state;
   SBusFrame frame = frames[flying];
-  if (state == sbus::LinkState::Stale) {
-    frame.failsafe = frame.lostFrame = true;
-    frame.channels[2] = CLOSED;  // for devices that ignore the flags
+  if (!receptions[flying].isUsable()) {
+    frame.failsafe = true;
+    if (state != sbus::LinkState::Failsafe) {  // stale
+      frame.lostFrame = true;
+      frame.channels[2] = CLOSED;  // for devices that ignore the flags
+    }
   }
   isDue = isDue || flying != before || frame.failsafe;
   if (isDue && state != sbus::LinkState::NeverSeen && output.write(frame)) {

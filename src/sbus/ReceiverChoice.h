@@ -18,13 +18,13 @@ struct Reception {
 
   static constexpr uint8_t LongestUse = 100;  ///< ms: a stick moves in this time
 
-  /// Returns true if its newest frame may be used: Ok or Lossy, and younger than LongestUse, whatever setTimeout() says.
+  /// Returns true if its newest frame may be used: Ok or Lossy, and younger than LongestUse, even after setTimeout(0).
   constexpr bool isUsable() const { return (state == LinkState::Ok || state == LinkState::Lossy) && age < LongestUse; }
 };
 
-/// Returns true if one of two receivers sends FrSky's range and the other Futaba's: four or more of CH1..CH16 rest at the
-/// one centre, as unused channels do, and none at the other. Returns false if both have too few such channels to tell, or
-/// no frame yet. `one` and `other` have 16 values or more.
+/// Returns true if one of two receivers sends FrSky's range and the other Futaba's: four or more of CH1..CH16 rest at
+/// the one centre, as unused channels do, and none at the other. Returns false if one has too few such channels to tell,
+/// or no frame yet. `one` and `other` have 16 values or more.
 inline bool haveOtherRanges(const uint16_t *one, const uint16_t *other) {
   constexpr uint16_t Centres[] = {FrSky.centre, Futaba.centre};
   constexpr uint8_t Enough = 4;
@@ -51,8 +51,8 @@ inline bool haveOtherRanges(const uint16_t *one, const uint16_t *other) {
 /// - An earlier receiver flies again once its quality has been as good as the flying one's for BackTime.
 /// - After a change BackTime passes before the next, unless the flying receiver is no longer usable.
 /// - At the start the first to be seen flies at once, and an earlier one takes over from it without waiting, once.
-/// - While none is usable, its flags say so: one in failsafe is chosen rather than a stale one, and both rather than one
-///   that was never seen.
+/// - While none is usable, its flags say so: one in failsafe is chosen rather than a stale one, and both rather than
+///   one that was never seen.
 template <uint8_t Count>
 class ReceiverChoice {
   static_assert(Count >= 2 && Count <= 8, "ReceiverChoice<2> to ReceiverChoice<8>");
@@ -62,8 +62,8 @@ class ReceiverChoice {
   static constexpr uint16_t BetterTime = 100;  ///< ms
   static constexpr uint16_t BackTime = 1000;  ///< ms
 
-  /// Returns the receiver that flies, 0..Count - 1, if this is known of them at `now`, ms. Call it in every loop(), after
-  /// all have been read: a change is late by the time between two calls. `now` may wrap.
+  /// Returns the receiver that flies, 0..Count - 1, if this is known of them at `now`, ms, which may wrap. Call it in
+  /// every loop(), after all have been read: a change is late by the time between two calls.
   uint8_t choose(const Reception (&receivers)[Count], uint32_t now) {
     const Reception &flying = receivers[_flying];
     const bool mustLeave = !flying.isUsable();

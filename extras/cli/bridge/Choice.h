@@ -51,8 +51,8 @@ class Choice {
     if (receiver.freshUs > 0 && flying.freshUs > 0 && receiver.observer.has24() != flying.observer.has24()) {
       return "another number of channels";
     }
-    const bool isOther = sbus::haveOtherRanges(receiver.observer.newest().raw.data(), flying.observer.newest().raw.data());
-    return isOther ? "the other make's range" : nullptr;
+    const uint16_t *const raw = receiver.observer.newest().raw.data();
+    return sbus::haveOtherRanges(raw, flying.observer.newest().raw.data()) ? "the other make's range" : nullptr;
   }
 
   sbus::ReceiverChoice<2> _choice;

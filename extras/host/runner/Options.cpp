@@ -103,10 +103,9 @@ void takeSecond(const std::string &text, Options &options) {
     throw CLI::ValidationError("--second", text + ": a recording or sim is expected; give the port to --source");
   }
   options.second->settings.baud = options.source.settings.baud;
-  const bool isTaken = options.on == SecondPort || std::any_of(options.wires.begin(), options.wires.end(), [](const WireOption &wire) {
-    return wire.to == SecondPort;
-  });
-  if (isTaken) {
+  const bool hasWire = std::any_of(options.wires.begin(), options.wires.end(),
+                                   [](const WireOption &wire) { return wire.to == SecondPort; });
+  if (hasWire || options.on == SecondPort) {
     throw CLI::ValidationError("--second", "RX of Serial2 has a --wire or the line of --on 2; leave that out");
   }
 }
@@ -146,7 +145,7 @@ Options parseOptions(int argc, char **argv) {
   baud->check(CLI::IsMember({100000, 200000}).description(""))->type_name("100000|200000");
   auto *on = app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)");
   on->check(CLI::Range(1, 3).description(""))->type_name("1|2|3");
-  auto *second = app.add_option("--second", secondName, "a second receiver, at Serial2: sim or a recording, as for --source");
+  auto *second = app.add_option("--second", secondName, "a second receiver, at Serial2: sim:WORD,... or a recording");
   second->type_name("SOURCE");
   app.add_option("--wire", wires, "a wire from TX of one port to RX of another or the same; may be given several times")
       ->check(CLI::Validator(checkWire, ""))

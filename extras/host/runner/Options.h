@@ -44,8 +44,8 @@ Options parseOptions(int argc, char **argv);
 // The port of the second line.
 constexpr int SecondPort = 2;
 
-// Opens the line for the board's port, and prints its name to standard error; a silent line if the options have none. Throws
-// std::runtime_error.
+// Opens the line for the board's port, and prints its name to standard error; a silent line if the options have none.
+// Throws std::runtime_error.
 std::unique_ptr<line::Line> makeLine(const Options &options);
 
 // Opens the second line likewise; null without one.
