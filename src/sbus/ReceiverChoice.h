@@ -82,7 +82,7 @@ class ReceiverChoice {
         if ((_good & bit) == 0) {
           _since[i] = now;
         }
-        const bool hasWaited = mayLeave && (_good & bit) != 0 && now - _since[i] >= wait;
+        const bool hasWaited = mayLeave && now - _since[i] >= wait;
         if (!mustLeave && (hasWaited || (isStart && isEarlier)) &&
             (best == _flying || receivers[i].quality > receivers[best].quality)) {
           best = i;
@@ -98,7 +98,6 @@ class ReceiverChoice {
       _hasFlown = false;
       _flying = best;
       _changed = now;
-      _good = 0;
     }
     return _flying;
   }

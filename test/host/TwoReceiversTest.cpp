@@ -18,7 +18,7 @@
 #include <EncodeSBus.h>
 #include <SBusUart.h>
 
-#include "cli/bridge/Choice.h"
+#include "cli/bridge/Bridge.h"
 #include "impairment/Settings.h"
 #include "support/FakeClock.h"
 #include "support/FakeSerial.h"

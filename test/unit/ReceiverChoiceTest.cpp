@@ -148,6 +148,8 @@ TEST_CASE("of three receivers the best one flies, of equal ones the earliest") {
       {{{0, {"ok", "ok", "ok"}}, {2000, {"stale", "ok", "ok"}}}, "0@0 1@2000 "},
       {{{0, {"ok", "ok", "ok"}}, {2000, {"stale", "lossy 90", "lossy 91"}}}, "0@0 2@2000 "},
       {{{0, {"ok", "ok", "ok"}}, {2000, {"lossy 50", "ok 80", "ok 90"}}}, "0@0 2@2100 "},
+      {{{0, {"ok", "ok", "ok"}}, {2000, {"lossy 50", "ok 90", "ok 80"}}}, "0@0 1@2100 "},
+      {{{0, {"ok", "ok", "ok"}}, {2000, {"lossy 50", "ok 90", "ok 90"}}}, "0@0 1@2100 "},
       {{{0, {"ok", "ok", "ok"}}, {2000, {"failsafe", "failsafe", "ok"}}, {3000, {"failsafe", "ok", "ok"}},
         {5000, {"ok", "ok", "ok"}}},
        "0@0 2@2000 1@4000 0@6000 "},
@@ -249,4 +251,9 @@ TEST_CASE("a teacher's switch with a reversed range is on at +100 %") {
   frame[7] = 172;
   CHECK(trainer.train(frame, receptionOf("ok"), pupils));
   CHECK(frame[0] == 5);
+
+  sbus::Trainer even(7, 1, {0, 1000, 2000});
+  even.hear(receptionOf("ok"), 10);
+  frame[7] = 1500;  // +50 % exactly
+  CHECK_FALSE(even.train(frame, receptionOf("ok"), pupils));
 }

@@ -119,14 +119,13 @@ void Bridge::judge(uint64_t nowUs) {
   if (_receivers[1] == nullptr) {
     return;
   }
-  Receiver &first = *_receivers[0], &second = *_receivers[1];
   const size_t before = _choice.flying();
-  _choice.judge(first, second, _options.rules.trainer(), nowUs);
-  Receiver &flying = *_receivers[_choice.flying()];
+  _choice.judge(*_receivers[0], *_receivers[1], _options.rules.trainer(), nowUs);
+  const Receiver &flying = *_receivers[_choice.flying()];
   if (&flying != _receivers[before]) {
     std::fprintf(stderr, "%.3f s: %s takes over\n", static_cast<double>(nowUs) / 1e6, flying.source.name().c_str());
   }
-  Receiver &other = &flying == &first ? second : first;
+  Receiver &other = *_receivers[1 - _choice.flying()];
   if (other.misfit != nullptr && !std::exchange(other.isMisfitSaid, true)) {
     std::fprintf(stderr, "%s: left out, since %s sends %s\n", other.source.name().c_str(), flying.source.name().c_str(),
                  other.misfit);

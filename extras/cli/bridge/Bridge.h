@@ -2,6 +2,7 @@
 // live line.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,11 +10,12 @@
 
 #include "cli/Input.h"
 #include "cli/SilenceNote.h"
-#include "cli/bridge/Choice.h"
 #include "cli/bridge/FrameOutput.h"
 #include "cli/bridge/FrameRules.h"
 #include "cli/options/SourceOption.h"
-#include "line/Segments.h"
+#include "line/Observer.h"
+#include "sbus/LinkQuality.h"
+#include "sbus/ReceiverChoice.h"
 
 namespace tool {
 
@@ -24,6 +26,51 @@ struct BridgeOptions {
 
   FrameRules rules;
   bool keepsEnd = true;  // the end byte; otherwise 00
+};
+
+// What was heard of a receiver.
+struct Heard {
+  line::Observer observer;
+  uint64_t freshUs = 0;  // the end of the newest frame that may leave
+  sbus::LinkQuality quality;
+  sbus::Reception reception{};
+  const char *misfit = nullptr;  // what the one that flies sends instead; null while both fit
+  bool isMisfitSaid = false;
+};
+
+// Which of two receivers flies, by the rules that boards have.
+class Choice {
+ public:
+  // Judges both, and chooses one: with a trainer the teacher's, the first. Call it for each frame and each tick.
+  void judge(Heard &first, Heard &second, sbus::Trainer *trainer, uint64_t nowUs) {
+    _nowUs = std::max(_nowUs, nowUs);
+    const Heard &flying = this->flying() == 0 ? first : second;
+    for (Heard *const each : {&first, &second}) {
+      const sbus::LinkState state = each->observer.state(_nowUs);
+      each->misfit = misfit(*each, flying);
+      each->reception = {each->freshUs > 0 && each->misfit == nullptr ? state : sbus::LinkState::NeverSeen,
+                         static_cast<unsigned long>((_nowUs - each->freshUs) / 1000),
+                         each->quality.update(each->observer.counters(), state, static_cast<uint32_t>(_nowUs))};
+    }
+    const auto ms = static_cast<uint32_t>(_nowUs / 1000);
+    if (trainer != nullptr) {
+      trainer->hear(second.reception, ms);
+    } else {
+      _choice.choose({first.reception, second.reception}, ms);
+    }
+  }
+
+  size_t flying() const { return _choice.flying(); }
+
+ private:
+  static const char *misfit(const Heard &one, const Heard &other) {
+    const bool isSize = one.freshUs > 0 && other.freshUs > 0 && one.observer.has24() != other.observer.has24();
+    const bool isRange = sbus::haveOtherRanges(one.observer.newest().raw.data(), other.observer.newest().raw.data());
+    return isSize ? "another number of channels" : isRange ? "the other make's range" : nullptr;
+  }
+
+  sbus::ReceiverChoice<2> _choice;
+  uint64_t _nowUs = 0;  // the latest: the two are not in step to the microsecond
 };
 
 struct Receiver : Heard {

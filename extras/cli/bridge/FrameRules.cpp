@@ -23,10 +23,9 @@ size_t channelOr(const std::string &wrong, std::string_view name) {
   return channel - 1;
 }
 
-size_t trainersChannel(std::string_view word) {
-  return channelOr("--trainer: channels of ch1 to ch16, such as ch8 or ch8=ch1,ch2, are expected, not " +
-                       line::quoted(word),
-                   word);
+uint8_t trainersChannel(std::string_view word) {
+  const std::string wrong = "--trainer: channels of ch1 to ch16, such as ch8 or ch8=ch1,ch2, are expected, not ";
+  return static_cast<uint8_t>(channelOr(wrong + line::quoted(word), word));
 }
 
 }  // namespace
@@ -57,13 +56,12 @@ void FrameRules::readTrainer() {
   }
   const std::string_view text = _trainerText;
   const size_t sign = text.find('=');
-  const size_t toggle = trainersChannel(text.substr(0, sign));
   unsigned handedOver = sign == text.npos ? 0xF : 0;  // CH1 to CH4
   if (sign != text.npos) {
     line::forEachBetweenCommas(text.substr(sign + 1),
                                [&](std::string_view word) { handedOver |= 1u << trainersChannel(word); });
   }
-  _trainer.emplace(static_cast<uint8_t>(toggle), static_cast<uint16_t>(handedOver), _range);
+  _trainer.emplace(trainersChannel(text.substr(0, sign)), static_cast<uint16_t>(handedOver), _range);
 }
 
 void FrameRules::readMap() {
