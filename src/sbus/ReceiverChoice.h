@@ -23,8 +23,8 @@ struct Reception {
 };
 
 /// Returns true if one of two receivers sends FrSky's range and the other Futaba's: four or more of CH1..CH16 rest at
-/// the one centre, as unused channels do, and none at the other. Returns false if one has too few such channels to tell,
-/// or no frame yet. `one` and `other` have 16 values or more.
+/// the one centre, as unused channels do, and none at the other. Returns false if one has too few such channels to
+/// tell, or no frame yet. `one` and `other` have 16 values or more.
 inline bool haveOtherRanges(const uint16_t *one, const uint16_t *other) {
   constexpr uint16_t Centres[] = {FrSky.centre, Futaba.centre};
   constexpr uint8_t Enough = 4;
@@ -58,9 +58,9 @@ class ReceiverChoice {
   static_assert(Count >= 2 && Count <= 8, "ReceiverChoice<2> to ReceiverChoice<8>");
 
  public:
-  static constexpr uint8_t Margin = 10;       ///< percentage points of quality
+  static constexpr uint8_t Margin = 10;        ///< percentage points of quality
   static constexpr uint16_t BetterTime = 100;  ///< ms
-  static constexpr uint16_t BackTime = 1000;  ///< ms
+  static constexpr uint16_t BackTime = 1000;   ///< ms
 
   /// Returns the receiver that flies, 0..Count - 1, if this is known of them at `now`, ms, which may wrap. Call it in
   /// every loop(), after all have been read: a change is late by the time between two calls.
@@ -113,10 +113,10 @@ class ReceiverChoice {
 
   // Returns what its flags can still say: of one that is not usable the most in failsafe.
   static uint8_t rank(const Reception &receiver) {
-    return receiver.isUsable()                         ? Usable
-           : receiver.state == LinkState::NeverSeen    ? 0
+    return receiver.isUsable()                                                             ? Usable
+           : receiver.state == LinkState::NeverSeen                                        ? 0
            : receiver.state == LinkState::Failsafe && receiver.age < Reception::LongestUse ? 2
-                                                       : 1;
+                                                                                           : 1;
   }
 
   // Of two that are not usable, neither is better by its quality.
@@ -126,7 +126,7 @@ class ReceiverChoice {
   }
 
   uint8_t _flying = 0;
-  uint8_t _good = 0;  // bits: these are as good as a receiver must be to take over
+  uint8_t _good = 0;       // bits: these are as good as a receiver must be to take over
   bool _hasFlown = false;  // the one that flies has been usable since it took over
   uint32_t _changes = 0;
   uint32_t _changed = 0;        // ms, when another took over

@@ -1,6 +1,7 @@
 // What the rules of two receivers cost. (No .ino, as Background.cpp.) Sends once
 //   choose,ranges,quality,train
-// in cycles a call: ReceiverChoice::choose(), haveOtherRanges(), LinkQuality::update(), Trainer::train() of four channels.
+// in cycles a call: ReceiverChoice::choose(), haveOtherRanges(), LinkQuality::update(), Trainer::train() of four
+// channels.
 
 #include <Arduino.h>
 #include <sbus/LinkQuality.h>
@@ -61,4 +62,5 @@ void setup() {
   Serial.println();
 }
 
-void loop() {}
+void loop() {
+}

@@ -17,8 +17,8 @@ namespace {
 
 constexpr uint32_t PeriodUs = 7000;
 
-// A frame every 7 ms. CH1 says whose it is, and CH2 its number. A receiver may be in failsafe or silent from one time to
-// another, and hands over by CH5.
+// A frame every 7 ms. CH1 says whose it is, and CH2 its number. A receiver may be in failsafe or silent from one time
+// to another, and hands over by CH5.
 struct Sender {
   uint16_t name;
   uint64_t startUs;
@@ -63,7 +63,8 @@ class SenderLine : public line::Line {
 
  private:
   void skipSilence() {
-    const uint64_t endUs = Sender::isIn(_sender.silentUs, _sender.startUs + _number * PeriodUs) ? _sender.silentUs[1] : 0;
+    const uint64_t endUs =
+        Sender::isIn(_sender.silentUs, _sender.startUs + _number * PeriodUs) ? _sender.silentUs[1] : 0;
     _number = endUs == UINT64_MAX ? uint64_t{1} << 40 : endUs == 0 ? _number : (endUs - _sender.startUs) / PeriodUs + 1;
   }
 
@@ -143,8 +144,8 @@ TEST_CASE("TwoReceivers, two lines at 7 ms: a Mega misses no frame, an Uno few, 
       CAPTURE(all);
       missed += static_cast<size_t>(std::count(all.begin(), all.end(), '!'));
       sent += frames.size();
-      // At the start a frame of the second may come first. The failsafe lasts for 71 frames; then the quality is 100 % after
-      // 1 s, and the first flies again 1 s later: or later still, on an Uno that misses a frame in that time.
+      // At the start a frame of the second may come first. The failsafe lasts for 71 frames; then the quality is 100 %
+      // after 1 s, and the first flies again 1 s later: or later still, on an Uno that misses a frame in that time.
       CHECK(std::regex_match(all, std::regex(run.forms)));
       CHECK(board.mistakes() == "");
     }
@@ -191,7 +192,8 @@ TEST_CASE("Trainer on a Mega: the switch hands over, and a lost pupil or teacher
     while (at + 1 < 7 && board.printed()[at + 1].us <= frame.us) {
       at++;
     }
-    const bool isBeside = at + 1 < 7 && frame.us + 1000 > board.printed()[at + 1].us;  // it was sent, then that was printed
+    const bool isBeside =
+        at + 1 < 7 && frame.us + 1000 > board.printed()[at + 1].us;  // it was sent, then that was printed
     CHECK((isBeside || frame.channels[0] == (at % 2 == 0 ? 100 : 200)));
     CHECK((isBeside || frame.failsafe == (at == 4)));
   }
