@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <sstream>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -19,12 +19,9 @@ constexpr uint32_t StepMs = 10;
 
 // Reads "ok", "ok 90", "lossy 50", "failsafe", "stale", "never", or "old": Ok, but its newest frame is 100 ms old.
 Reception receptionOf(const std::string &text) {
-  std::istringstream words(text);
-  std::string state;
-  unsigned quality = 100;
-  words >> state >> quality;
-  quality = words.fail() && !words.eof() ? 100 : quality;
-  const auto percent = static_cast<uint8_t>(text.find(' ') == text.npos ? 100 : quality);
+  const size_t space = text.find(' ');
+  const std::string state = text.substr(0, space);
+  const auto percent = static_cast<uint8_t>(space == text.npos ? 100 : std::atoi(text.c_str() + space));
   return state == "ok"         ? Reception{LinkState::Ok, 5, percent}
          : state == "lossy"    ? Reception{LinkState::Lossy, 5, percent}
          : state == "failsafe" ? Reception{LinkState::Failsafe, 5, 0}
@@ -155,7 +152,7 @@ TEST_CASE("of two receivers the right one flies, from the right time on") {
        0},
   };
   for (const Case &each : cases) {
-    for (const uint32_t startMs : {0u, 1000000u, UINT32_MAX - 2500u}) {  // the clock wraps in the last
+    for (const uint32_t startMs : {uint32_t{0}, uint32_t{1000000}, UINT32_MAX - 2500}) {  // the clock wraps in the last
       CAPTURE(each.what);
       CAPTURE(startMs);
       sbus::ReceiverChoice<2> choice;
@@ -243,7 +240,7 @@ TEST_CASE("the pupil has the channels that the teacher hands over, while both ar
       {230, "stale", 1811, "ok", false},    {240, "never", 1811, "ok", false},
       {250, "ok", 1811, "old", false},      {260, "ok", 1811, "ok", true},
   };
-  for (const uint32_t startMs : {0u, UINT32_MAX - 120u}) {
+  for (const uint32_t startMs : {uint32_t{0}, UINT32_MAX - 120}) {
     sbus::Trainer trainer(7, 0x8003, sbus::FrSky);
     for (const Step &step : steps) {
       CAPTURE(step.ms);
