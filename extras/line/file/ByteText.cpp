@@ -11,7 +11,6 @@ namespace {
 
 constexpr size_t HeadLines = 200;  // to examine
 constexpr size_t HeadNumbers = 9;  // before a line's bytes: those of a date and a time, a count
-constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
@@ -184,9 +183,7 @@ Numbers ByteText::numbersOf(std::string_view line) const {
                  [](TextNumber number) { return takeMark(number.text); });
     return marked;
   }
-  const bool areBytes = runs.count <= GroupsMost && areAtEnd && !endsWithTime(all, runs.last) &&
-                        (!isAssigned || runs.last.size() > 1);
-  return areBytes ? runs.last : Numbers();
+  return areAtEnd && !endsWithTime(all, runs.last) ? runs.last : Numbers();
 }
 
 bool ByteText::isFrame(const Numbers &numbers) const {

@@ -72,7 +72,7 @@ bool takeHex(std::string_view word, TextBytes &bytes);
 // Reads the strings in a line; without quotation marks, from the first backslash to the end.
 std::string readStrings(std::string_view text, TextBytes &bytes);
 
-// Returns the part of a line that holds its bytes: not a comment, and of what is on both sides of a = that with most numbers.
+// Returns the part of a line that holds its bytes: not a comment, and what is assigned, unless more numbers come before.
 std::string_view contentOf(std::string_view text, bool &isAssigned);
 
 // Returns all numbers of a line. `areAtEnd`: a number is its last word.
@@ -82,7 +82,6 @@ Numbers allNumbers(std::string_view text, bool &areAtEnd);
 struct Runs {
   Numbers bytes;  // of all runs that are not too short
   Numbers last;   // the last run
-  size_t count = 0;
 };
 
 Runs runsOf(const Numbers &all);
