@@ -128,7 +128,7 @@ void ByteText::findOffsets(std::string_view head) {
 void ByteText::findStyle(std::string_view head) {
   _hasIndex = !hasOffsets() && isIndexed(head);
   _isList = _hasIndex;
-  bool any = false, hasLetters = false, hasBytes = false;
+  bool any = false, hasLetters = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
     _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
@@ -138,7 +138,6 @@ void ByteText::findStyle(std::string_view head) {
     for (TextNumber &number : numbersOf(text)) {
       any = true;
       takeEnd(number.text, '!');
-      hasBytes = hasBytes || !isBits(number.text);
       takeMark(number.text);
       _hasWords = _hasWords || (hasOffsets() && number.text.size() >= 4);
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
@@ -146,7 +145,6 @@ void ByteText::findStyle(std::string_view head) {
     }
   }
   _isList = _isList || _hasMarks || _hasStrings;
-  _areBits = any && !hasBytes && !hasOffsets();
   _base = any && !_hasMarks && !hasLetters && !hasOffsets() ? 10 : 16;  // each frame has 0F
 }
 
@@ -155,7 +153,7 @@ void ByteText::findStyle(std::string_view head) {
 Numbers ByteText::numbersOf(std::string_view line) const {
   std::string_view text = withoutBlanks(line);
   uint64_t offset;
-  if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
+  if (hasOffsets() && !takeOffset(text, offset)) {
     return {};
   }
   if (hasOffsets()) {  // without the text beside the bytes; the last word may stand apart

@@ -54,7 +54,6 @@ class ByteText {
   size_t _width = 0;         // of a dump's line up to the text beside the bytes
   bool _areSwapped = false;  // a word's lowest byte comes first in the file, and last in the text
   bool _hasWords = false;
-  bool _areBits = false;     // eight digits of 0 and 1 each: not read
   bool _hasMarks = false;    // 0x
   bool _hasStrings = false;
   bool _isList = false;

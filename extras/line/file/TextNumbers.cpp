@@ -52,11 +52,6 @@ bool takeMark(std::string_view &word) {
   return has;
 }
 
-bool isBits(std::string_view word) {
-  word.remove_prefix(word.size() == 10 && word.substr(0, 2) == "0b" ? 2 : 0);
-  return word.size() == 8 && word.find_first_not_of("01") == word.npos;
-}
-
 bool isNumber(std::string_view word) {
   takeEnd(word, '!');
   const bool isMarked = takeMark(word);

@@ -60,9 +60,6 @@ void forEachWord(std::string_view text, const Take &take) {
 bool takeEnd(std::string_view &word, char end);
 bool takeMark(std::string_view &word);
 
-// Returns true for eight digits of 0 and 1: bits, if all numbers are like this.
-bool isBits(std::string_view word);
-
 // Returns true if bytes may be written like this. 0x and up to 16 digits is an address.
 bool isNumber(std::string_view word);
 
