@@ -20,8 +20,8 @@ class ByteText {
   // Rejects lines with words, if the first one with bytes has numbers only.
   void setStrict() { _isStrict = true; }
 
-  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then isList(),
-  // hasOffsets() and BytesReader decide.
+  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then
+  // isList(), hasOffsets() and BytesReader decide.
   bool isBytes() const { return _lines > 0; }
 
   // Returns true if lines begin with offsets, as a dump's do.

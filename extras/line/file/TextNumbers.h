@@ -28,7 +28,7 @@ struct TextNumber {
 
 using Numbers = std::vector<TextNumber>;
 
-constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
+constexpr size_t RunLeast = 4;  // numbers with the same sign between them: fewer are a date or a time
 
 inline bool isOneOf(char c, std::string_view set) {
   return set.find(c) != set.npos;
@@ -69,7 +69,8 @@ bool takeHex(std::string_view word, TextBytes &bytes);
 // Reads the strings in a line; without quotation marks, from the first backslash to the end.
 std::string readStrings(std::string_view text, TextBytes &bytes);
 
-// Returns the part of a line that holds its bytes: not a comment, and what is assigned, unless more numbers come before.
+// Returns the part of a line that holds its bytes: not a comment, and what is assigned, unless more numbers come
+// before.
 std::string_view contentOf(std::string_view text, bool &isAssigned);
 
 // Returns all numbers of a line. `areAtEnd`: a number is its last word.
