@@ -38,8 +38,8 @@ class Servo {
   }
 
   // Called by the timer's interrupt, Ahead before an edge is due, with interrupts on: makes the edge in time. Of the
-  // other interrupts only the SBusPin's may come meanwhile, and none within the last 5 us: an edge of S.Bus can wait
-  // for 7 us. An edge that is late all the same moves the next one, too, so that no pulse is short.
+  // other interrupts only the SBusPin's may come meanwhile, which takes 4 us, and none within the last 4 us: an edge of
+  // S.Bus can wait for 7 us. An edge that is late all the same moves the next one, too, so that no pulse is short.
   static void elapsed() {
     Servo *const ends = current < count ? servos[current] : nullptr;
     current = static_cast<uint8_t>(ends != nullptr ? current + 1 : 0);
@@ -80,7 +80,7 @@ class Servo {
   static constexpr uint8_t TicksPerUs = 2;
   static constexpr uint16_t Period = 20000u * TicksPerUs;
   static constexpr uint16_t Ahead = 40 * TicksPerUs;  // longer than the interrupts that may run just then
-  static constexpr int16_t Quiet = 2 * TicksPerUs;
+  static constexpr int16_t Quiet = 4 * TicksPerUs;
   static constexpr uint16_t Late = 2 * TicksPerUs;
 
   static void arm(uint16_t time) {

@@ -12,7 +12,7 @@
 namespace sbus {
 
 #if defined(SBUS_PIN)
-// Closes `port` if it is an SBusPin. Null in a sketch without one, which pays 20 bytes for it if it calls end().
+// Closes `port` if it is an SBusPin. Null in a sketch without one, which pays 26 bytes for it if it calls end(), else 6.
 __attribute__((weak)) void closePin(Stream &port);
 #endif
 

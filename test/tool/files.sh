@@ -141,7 +141,6 @@ want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # be
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"and\"$want"
 
-printf '00001111 11100011\n' | rejected bits.txt ':1: "11100011" is not a byte: one or two hexadecimal digits are expected'
 printf 'uart-1: Start bit\nuart-1: 1\nuart-1: 1\nuart-1: 1\nuart-1: 1\nuart-1: 0\nuart-1: 0\nuart-1: 0\nuart-1: 0\nuart-1: 0F\n' |
   rejected sigrok.txt ": is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
 printf 'libsigrok 0.5.2\nAcquisition with 1/1 channels at 1 MHz\nSBUS:00000000 00000000\n' |

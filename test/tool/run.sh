@@ -187,7 +187,7 @@ for source in sim sim:24 sim:32 sim:noise=60 sim:sbus2; do
   done
 done
 "$sbus" hex "$work/paper.vcd" >"$work/wanted" && { echo '$ sbus decode paper.vcd'; "$sbus" decode "$work/paper.vcd"; } >"$work/printed.txt" &&
-  "$sbus" hex "$work/printed.txt" | cmp - "$work/wanted" && sed 1,3d "$work/printed.txt" >"$work/rows.txt" && "$sbus" hex "$work/rows.txt" | cmp - "$work/wanted"
+  "$sbus" hex "$work/printed.txt" | cmp - "$work/wanted" && sed 1,3d "$work/printed.txt" >"$work/headless.txt" && "$sbus" hex "$work/headless.txt" | cmp - "$work/wanted"
 verdict $? "with a terminal's prompt before it, or from the heading on, it is read, too"
 sed 's/time ms/time s/' "$work/printed.txt" >"$work/wrong.txt"
 rejected "sbus hex: $work/wrong.txt:4: times in ms are expected, as sbus decode prints them" hex "$work/wrong.txt"

@@ -161,7 +161,8 @@ TEST_CASE("DBUS has sticks between their ends, switches that stand somewhere, an
     std::mt19937 random(Seed);
     Bytes bytes;
     for (unsigned i = 0; i < 100; i++) {
-      Bytes packet = dbus({random() % 2048, random() % 2048, random() % 2048, random() % 2048}, i);
+      const auto stick = [&random] { return static_cast<unsigned>(random() % 2048); };
+      Bytes packet = dbus({stick(), stick(), stick(), stick()}, i);
       packet[1] = row.at == 0 ? static_cast<uint8_t>(packet[1] & 0xF8) : packet[1];
       packet[row.at] = static_cast<uint8_t>((packet[row.at] & ~row.mask) | row.bits);
       bytes.insert(bytes.end(), packet.begin(), packet.end());

@@ -27,8 +27,8 @@ std::string subcommandFor(const CLI::App &app, const std::string &word);
 // Prints the completions of the last of `words`, the words after `sbus`, one per line; ":files" stands for file names.
 void printCompletions(const CLI::App &app, const std::vector<std::string> &words);
 
-// Reads sbus.1.in from standard input, and prints sbus.1. A line ".SUBCOMMAND NAME" becomes the section of a subcommand,
-// with its options at the section's end; ".OPTION NAME --a --b" describes these here.
+// Reads sbus.1.in from standard input, and prints sbus.1. A line ".SUBCOMMAND NAME" becomes the section of a
+// subcommand, with its options at the section's end; ".OPTION NAME --a --b" describes these here.
 void printManual(const CLI::App &app);
 
 // Breaks the lines of help at the terminal's width. Call it before subcommands are added.

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cctype>
 #include <iostream>
 #include <set>
@@ -62,8 +63,9 @@ void printManual(const CLI::App &app) {
     words >> macro >> word;
     const bool begins = macro == ".SUBCOMMAND";
     if (begins || macro == ".SH") {
-      for (const CLI::Option *const each : section == nullptr ? std::vector<const CLI::Option *>() : section->get_options()) {
-        describeOnce(each);
+      if (section != nullptr) {
+        const auto options = section->get_options();
+        std::for_each(options.begin(), options.end(), describeOnce);
       }
       section = begins ? app.get_subcommand(word) : nullptr;
     }

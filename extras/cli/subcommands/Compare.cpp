@@ -229,7 +229,8 @@ void addCompare(CLI::App &app) {
   options->signalOption = subcommand.option("--signal-b", options->signal, "the signal of B, if --signal is that of A")
                               .notEmpty()
                               .type("NAME");
-  subcommand.flag("--json", options->json, "JSON lines: each loss as it ends, then the first difference and the comparison");
+  subcommand.flag("--json", options->json,
+                  "JSON lines: each loss as it ends, then the first difference and the comparison");
   subcommand.footer(
       "It prints when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A source has lost a "
       "frame if only the other one has it, or if only this one has the lost-frame or failsafe flag. Frames that came "

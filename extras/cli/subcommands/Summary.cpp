@@ -217,7 +217,8 @@ void addSummary(CLI::App &app) {
   Subcommand subcommand(app, "summary", "summarises a flight: failsafe and loss periods, intervals between frames");
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce, Rows::Rejected);
   const auto options = std::make_shared<Options>();
-  const Option json = subcommand.flag("--json", options->json, "JSON lines: a summary, then the spans and the intervals");
+  const Option json =
+      subcommand.flag("--json", options->json, "JSON lines: a summary, then the spans and the intervals");
   options->html =
       subcommand.option("-o,--output", options->output, "write a one-page report to view or print; - is standard output")
           .excludes(json)

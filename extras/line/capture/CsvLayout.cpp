@@ -70,7 +70,8 @@ bool isRow(const Fields &fields) {
 // A single # is a column's title. META is a line of sigrok-cli.
 bool isComment(std::string_view line) {
   const bool isAlone = line.size() > 1 && Separators.find(line[1]) != std::string_view::npos;
-  return line.substr(0, 2) == ",#" || line.substr(0, 5) == "META " || (!line.empty() && (line.front() == ';' || (line.front() == '#' && !isAlone)));
+  return line.substr(0, 2) == ",#" || line.substr(0, 5) == "META " ||
+         (!line.empty() && (line.front() == ';' || (line.front() == '#' && !isAlone)));
 }
 
 // Returns true for a unit, as oscilloscopes write it below a channel's name.

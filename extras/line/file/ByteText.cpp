@@ -11,7 +11,6 @@ namespace {
 
 constexpr size_t HeadLines = 200;  // to examine
 constexpr size_t HeadNumbers = 9;  // before a line's bytes: those of a date and a time, a count
-constexpr size_t GroupsMost = 5;   // on a line with fewer bytes: date, blank, time, milliseconds, bytes
 
 constexpr const char *Expected =
     " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment";
@@ -81,7 +80,8 @@ bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
   const size_t colon = text.substr(digits, 1) == "h" ? digits + 1 : digits;
   const bool hasColon = text.substr(std::min(text.size(), colon), 1) == ":";
   const std::string_view behind = text.substr(std::min(text.size(), hasColon ? colon + 1 : digits));
-  const bool is = digits >= 4 && parseWhole(text.substr(0, digits), offset, _offsetBase) && (behind.empty() || isBlank(behind[0]));
+  const bool is = digits >= 4 && parseWhole(text.substr(0, digits), offset, _offsetBase) &&
+                  (behind.empty() || isBlank(behind[0]));
   text = is ? withoutBlanks(behind) : text;
   return is;
 }
@@ -129,7 +129,7 @@ void ByteText::findOffsets(std::string_view head) {
 void ByteText::findStyle(std::string_view head) {
   _hasIndex = !hasOffsets() && isIndexed(head);
   _isList = _hasIndex;
-  bool any = false, hasLetters = false, hasBytes = false;
+  bool any = false, hasLetters = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
     _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
@@ -139,7 +139,6 @@ void ByteText::findStyle(std::string_view head) {
     for (TextNumber &number : numbersOf(text)) {
       any = true;
       takeEnd(number.text, '!');
-      hasBytes = hasBytes || !isBits(number.text);
       takeMark(number.text);
       _hasWords = _hasWords || (hasOffsets() && number.text.size() >= 4);
       hasLetters = hasLetters || !std::all_of(number.text.begin(), number.text.end(), isDigit);
@@ -147,7 +146,6 @@ void ByteText::findStyle(std::string_view head) {
     }
   }
   _isList = _isList || _hasMarks || _hasStrings;
-  _areBits = any && !hasBytes && !hasOffsets();
   _base = any && !_hasMarks && !hasLetters && !hasOffsets() ? 10 : 16;  // each frame has 0F
 }
 
@@ -156,11 +154,12 @@ void ByteText::findStyle(std::string_view head) {
 Numbers ByteText::numbersOf(std::string_view line) const {
   std::string_view text = withoutBlanks(line);
   uint64_t offset;
-  if (_areBits || (hasOffsets() && !takeOffset(text, offset))) {
+  if (hasOffsets() && !takeOffset(text, offset)) {
     return {};
   }
   if (hasOffsets()) {  // without the text beside the bytes; the last word may stand apart
-    text = text.substr(0, isTextAt(text, _width) ? _width : std::min({text.size() > _width ? text.find("  ") : text.npos, text.find(" |"), text.find(" ;")}));
+    const size_t blanks = text.size() > _width ? text.find("  ") : text.npos;
+    text = text.substr(0, isTextAt(text, _width) ? _width : std::min({blanks, text.find(" |"), text.find(" ;")}));
   }
   bool isAssigned, areAtEnd;
   const Numbers all = allNumbers(contentOf(text, isAssigned), areAtEnd);
@@ -184,9 +183,7 @@ Numbers ByteText::numbersOf(std::string_view line) const {
                  [](TextNumber number) { return takeMark(number.text); });
     return marked;
   }
-  const bool areBytes = runs.count <= GroupsMost && areAtEnd && !endsWithTime(all, runs.last) &&
-                        (!isAssigned || runs.last.size() > 1);
-  return areBytes ? runs.last : Numbers();
+  return areAtEnd && !endsWithTime(all, runs.last) ? runs.last : Numbers();
 }
 
 bool ByteText::isFrame(const Numbers &numbers) const {

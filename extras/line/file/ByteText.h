@@ -20,8 +20,8 @@ class ByteText {
   // Rejects lines with words, if the first one with bytes has numbers only.
   void setStrict() { _isStrict = true; }
 
-  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then isList(),
-  // hasOffsets() and BytesReader decide.
+  // Returns true if the first lines hold bytes. A sketch's rows and a recording may look like bytes, too; then
+  // isList(), hasOffsets() and BytesReader decide.
   bool isBytes() const { return _lines > 0; }
 
   // Returns true if lines begin with offsets, as a dump's do.
@@ -54,7 +54,6 @@ class ByteText {
   size_t _width = 0;         // of a dump's line up to the text beside the bytes
   bool _areSwapped = false;  // a word's lowest byte comes first in the file, and last in the text
   bool _hasWords = false;
-  bool _areBits = false;     // eight digits of 0 and 1 each: not read
   bool _hasMarks = false;    // 0x
   bool _hasStrings = false;
   bool _isList = false;

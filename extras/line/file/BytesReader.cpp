@@ -12,9 +12,9 @@ namespace line {
 
 namespace {
 
-// Returns true if most channels of a frame hardly differ from those of the one before, like those of sticks; if hardly any
-// is at an end that no radio reaches, unless it is cut off there or not given; and if its bytes are of eight bits, as they
-// are of channels of 11 bits: small numbers and repeated tables have none of that.
+// Returns true if most channels of a frame hardly differ from those of the one before, like those of sticks; if hardly
+// any is at an end that no radio reaches, unless it is cut off there or not given; and if its bytes use all eight bits,
+// as channels of 11 bits do: small numbers and repeated tables have none of that.
 bool areSticks(const Stretch &frame, const Values &values, const Values &before) {
   constexpr int Move = 100, End = 64;
   constexpr size_t Alike = 12, Odd = 2;  // of 16

@@ -46,8 +46,8 @@ class BytesReader : public LineReader {
 
     unsigned long baud = 0;  // see Observer::readAtBaud()
 
-    // Returns true if a receiver sent them. Numbers look like a frame by chance, here and there: it is as long as one, its
-    // first byte is 0F and its last one 00.
+    // Returns true if a receiver sent them. Numbers look like a frame by chance, here and there: it is as long as one,
+    // its first byte is 0F and its last one 00.
     bool areLine() const;
   };
 

@@ -94,7 +94,8 @@ FileKind kindOfText(std::string_view text) {
   }
   const ByteText bytes(text, text.size() < FileHeadMax);
   const bool areRows = isCsvText(text.substr(0, RecordingBeginning));
-  if (bytes.isBytes() && (areRows ? BytesReader(text, true, LineSettings()).hasFrames() : bytes.isList() || bytes.hasOffsets())) {
+  if (bytes.isBytes() && (areRows ? BytesReader(text, true, LineSettings()).hasFrames()
+                                  : bytes.isList() || bytes.hasOffsets())) {
     return FileKind::Text;
   }
   if (areRows) {

@@ -84,7 +84,8 @@ bool endOf(const Object &object, uint8_t &end) {
     return true;
   }
   std::vector<Character> read;
-  const bool isByte = found->is_string() && parseHex(found->get<std::string>(), read) && read.size() == 1 && !read[0].bad;
+  const bool isByte =
+      found->is_string() && parseHex(found->get<std::string>(), read) && read.size() == 1 && !read[0].bad;
   end = isByte ? read[0].value : 0;
   return isByte;
 }
@@ -212,7 +213,8 @@ std::string JsonReader::line(std::string_view text, std::deque<Character> &chara
   for (Character &character : came) {
     character.sinceUs = sinceUs;
   }
-  return put(us ? std::optional<int64_t>(std::llround(*us)) : std::nullopt, static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
+  return put(us ? std::optional<int64_t>(std::llround(*us)) : std::nullopt,
+             static_cast<uint32_t>(std::min<uint64_t>(lateUs, UINT32_MAX)), came, characters);
 }
 
 std::string JsonReader::finish(std::deque<Character> & /*characters*/) {

@@ -81,13 +81,15 @@ class FrameReader : public LineReader {
     _lastUs = lastUs;
   }
 
-  // Appends characters that end at `us` in the text, back to back; without a time, a period after those before. A port may
-  // have held them back for `lateUs`. Returns what is wrong with the time, or nothing.
-  std::string put(std::optional<int64_t> us, uint32_t lateUs, const std::vector<Character> &came, std::deque<Character> &characters) {
+  // Appends characters that end at `us` in the text, back to back; without a time, a period after those before. A port
+  // may have held them back for `lateUs`. Returns what is wrong with the time, or nothing.
+  std::string put(std::optional<int64_t> us, uint32_t lateUs, const std::vector<Character> &came,
+                  std::deque<Character> &characters) {
     constexpr uint64_t OverlapMostUs = 10000000;  // more than this is another line's time
     const uint64_t endUs = endOf(us, came.size() * _characterUs);
     if (_any && endUs + OverlapMostUs < _lastUs) {
-      return "its time, " + std::to_string(endUs) + " us, is not after the previous one, " + std::to_string(_lastUs) + " us";
+      return "its time, " + std::to_string(endUs) + " us, is not after the previous one, " +
+             std::to_string(_lastUs) + " us";
     }
     placed(endUs, appendLate(came, endUs, _lastUs, _characterUs, lateUs, characters));
     return {};

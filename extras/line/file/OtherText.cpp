@@ -35,11 +35,15 @@ bool areBits(std::string_view text) {
   return 2 * bits > all && all >= 8;
 }
 
-// Returns true if a text begins like a dump, with offset 0, or is bits, eight and more a word.
+// Returns true if a text begins like a dump, with offset 0.
 bool isDump(std::string_view text) {
-  const bool areBits = consistsOf(text.substr(0, 1000), "01bB ,;\t\r\n");
   const std::string_view word = takeWord(text), offset = word.substr(0, word.find(':'));
-  return (offset.size() >= 7 && consistsOf(offset, "0")) || (areBits && word.size() >= 8);
+  return offset.size() >= 7 && consistsOf(offset, "0");
+}
+
+// Returns true if a text is bits, eight and more a word.
+bool areDigits(std::string_view text) {
+  return consistsOf(text.substr(0, 1000), "01bB ,;\t\r\n") && takeWord(text).size() >= 8;
 }
 
 // (1436509052.249713) can0 123#0FE0
@@ -56,7 +60,7 @@ bool isCandump(std::string_view text) {
 std::string whatText(std::string_view begin) {
   const std::string_view text = withoutBlanks(begin);
   const bool isSigrok = text.substr(0, 10) == "libsigrok " || text.substr(0, 5) == "META ";
-  const bool isOtherDump = isDump(text) && !ByteText(text, true).isBytes();
+  const bool isOtherDump = areDigits(text) || (isDump(text) && !ByteText(text, true).isBytes());
   return isSigrok ? "is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data prints a decoder's bytes"
          : areBits(text)   ? "is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
          : isCandump(text) ? "is candump's log: log2long < FILE prints bytes that are read"

@@ -52,11 +52,6 @@ bool takeMark(std::string_view &word) {
   return has;
 }
 
-bool isBits(std::string_view word) {
-  word.remove_prefix(word.size() == 10 && word.substr(0, 2) == "0b" ? 2 : 0);
-  return word.size() == 8 && word.find_first_not_of("01") == word.npos;
-}
-
 bool isNumber(std::string_view word) {
   takeEnd(word, '!');
   const bool isMarked = takeMark(word);
@@ -113,7 +108,7 @@ std::string_view contentOf(std::string_view text, bool &isAssigned) {
     const std::string_view part = text.substr(begin, text.find('=', begin) - begin);
     size_t count = 0;
     forEachWord(part, [&count](std::string_view word, std::string_view) { count += isNumber(word); });
-    if (count >= most) {
+    if (count >= most || most < RunLeast) {  // data[300] = { has none of its own
       isAssigned = begin > 0;
       best = part;
       most = count;
@@ -160,7 +155,6 @@ Runs runsOf(const Numbers &all) {
       runs.bytes.insert(runs.bytes.end(), runs.last.begin(), runs.last.end());
       taken = end;
     }
-    runs.count++;
   }
   return runs;
 }

@@ -28,7 +28,7 @@ struct TextNumber {
 
 using Numbers = std::vector<TextNumber>;
 
-constexpr size_t RunLeast = 4;     // numbers with the same sign between them: fewer are a date or a time
+constexpr size_t RunLeast = 4;  // numbers with the same sign between them: fewer are a date or a time
 
 inline bool isOneOf(char c, std::string_view set) {
   return set.find(c) != set.npos;
@@ -60,9 +60,6 @@ void forEachWord(std::string_view text, const Take &take) {
 bool takeEnd(std::string_view &word, char end);
 bool takeMark(std::string_view &word);
 
-// Returns true for eight digits of 0 and 1: bits, if all numbers are like this.
-bool isBits(std::string_view word);
-
 // Returns true if bytes may be written like this. 0x and up to 16 digits is an address.
 bool isNumber(std::string_view word);
 
@@ -72,7 +69,8 @@ bool takeHex(std::string_view word, TextBytes &bytes);
 // Reads the strings in a line; without quotation marks, from the first backslash to the end.
 std::string readStrings(std::string_view text, TextBytes &bytes);
 
-// Returns the part of a line that holds its bytes: not a comment, and of what is on both sides of a = that with most numbers.
+// Returns the part of a line that holds its bytes: not a comment, and what is assigned, unless more numbers come
+// before.
 std::string_view contentOf(std::string_view text, bool &isAssigned);
 
 // Returns all numbers of a line. `areAtEnd`: a number is its last word.
@@ -82,7 +80,6 @@ Numbers allNumbers(std::string_view text, bool &areAtEnd);
 struct Runs {
   Numbers bytes;  // of all runs that are not too short
   Numbers last;   // the last run
-  size_t count = 0;
 };
 
 Runs runsOf(const Numbers &all);

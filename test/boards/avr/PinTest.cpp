@@ -353,7 +353,7 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
   }
 }
 
-TEST_CASE("a line on a pin: where pulses make frames wrong, a hardware port would give more of them") {
+TEST_CASE("a line on a pin: where pulses make frames wrong, a hardware port gives nearly twice as many") {
   const Wave clean(Row(), Seconds);
   CHECK(idealPort(clean, Seconds) == std::make_pair(clean.frames, size_t{0}));
   const Range widths[] = {{3, 12}, {12, 25}, {25, 60}, {60, 200}};
@@ -367,7 +367,7 @@ TEST_CASE("a line on a pin: where pulses make frames wrong, a hardware port woul
     const avr::Numbers pin = avr::numbersIn(resultOf(avr::Uno, row, wave, Long));
     MESSAGE(wave.frames, " frames, pulses of ", width.least, " to ", width.most, " us, one a frame: pin ", pin[0], ", ",
             pin[1], " wrong; ideal port ", port.first, ", ", port.second, " wrong");
-    CHECK(pin[1] <= static_cast<double>(port.second));
+    CHECK(pin[1] <= (width.most <= 12 ? 0 : 0.6 * static_cast<double>(port.second)));
   }
 }
 
