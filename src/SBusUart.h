@@ -12,6 +12,14 @@
 /// The arguments of the constructors of DecodeSBus and EncodeSBus: the port, and RX and TX where pins must be named,
 /// such as `Serial1, 16, 17`. To choose others, define it before this header.
 
+/// @def SBUS_SECOND_UART
+/// Likewise another port, for a second receiver; not defined where the board has none. To choose another, define it
+/// before this header.
+
+/// @def SBUS_SECOND_TAKES_USB
+/// 1 if SBUS_SECOND_UART is the port that Serial prints on, as on an Uno: it is then defined only for a sketch that has
+/// defined SBUS_MAY_TAKE_USB, and must not print. Otherwise 0.
+
 /// @def SBUS_FREE_PINS
 /// Four pins that SBUS_UART leaves free. To choose others, define it before this header.
 
@@ -83,6 +91,26 @@
 
 #if !defined(SBUS_TAKES_TIMER)
 #define SBUS_TAKES_TIMER 0
+#endif
+
+#if !defined(SBUS_SECOND_UART)
+#if defined(ARDUINO_NANO_ESP32) || defined(ARDUINO_XIAO_ESP32S3)
+#define SBUS_SECOND_UART Serial2, D8, D9
+#elif defined(CONFIG_IDF_TARGET_ESP32S3)
+#define SBUS_SECOND_UART Serial2, 18, 8
+#elif defined(CONFIG_IDF_TARGET_ESP32) || defined(ESP32) && !defined(ESP_ARDUINO_VERSION_MAJOR)
+#define SBUS_SECOND_UART Serial2, 32, 33
+#elif defined(HAVE_HWSERIAL2) || defined(CORE_TEENSY) || defined(ARDUINO_ARCH_stm32l0) || defined(ARDUINO_ARCH_SAM) || \
+    (defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED))
+#define SBUS_SECOND_UART Serial2
+#elif SBUS_TAKES_TIMER && defined(SBUS_MAY_TAKE_USB)
+#define SBUS_SECOND_UART Serial
+#define SBUS_SECOND_TAKES_USB 1
+#endif
+#endif
+
+#if !defined(SBUS_SECOND_TAKES_USB)
+#define SBUS_SECOND_TAKES_USB 0
 #endif
 
 #if !defined(SBUS_TAKES_USB)

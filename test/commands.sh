@@ -137,6 +137,7 @@ check '^([0-9]+,){5}[0-9]+$' 'then="wait_for test -s curves.csv"
 check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo SOURCE=\$adapter" 'make demo SOURCE=/dev/ttyUSB0'
 check 'simulated FrSky receiver with 24 channels' "until_says 'receiver with 24 channels' make demo SOURCE=sim:24" 'make demo SOURCE=sim:24'
 check '^PASS: [1-9][0-9]* frames sent' 'until_says PASS make demo SKETCH=examples/Loopback' 'make demo SKETCH=examples/Loopback'
+check '^first flies, 0 changes; first: ' 'until_says "^first flies" make demo SKETCH=examples/TwoReceivers' 'make demo SKETCH=examples/TwoReceivers'
 check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" 'make demo SKETCH=examples/NAME'
 check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
 

@@ -16,6 +16,10 @@ DecodeSBus receiver(Serial1);
 #elif defined(USE_ENCODER)
 #include <EncodeSBus.h>
 EncodeSBus sender(Serial1);
+#elif defined(USE_CHOICE)
+#include <sbus/ReceiverChoice.h>
+sbus::ReceiverChoice<2> choice;
+extern sbus::Reception receptions[2];
 #elif defined(USE_NORMALIZED)
 #include <sbus/Scaling.h>
 #elif defined(USE_CALIBRATOR)
@@ -60,6 +64,8 @@ void loop() {
   channels[2] = static_cast<uint16_t>(receiver.counters().resyncs);
 #elif defined(USE_ENCODER)
   flags[0] = sender.write(channels, flags[0], flags[1]);
+#elif defined(USE_CHOICE)
+  channels[0] = choice.choose(receptions, channels[1]);
 #elif defined(USE_NORMALIZED)
   channels[0] = static_cast<uint16_t>(sbus::toNormalized(channels[1], sbus::FrSky));
 #elif defined(USE_CALIBRATOR)

@@ -99,6 +99,7 @@ piece ALL_OF_DECODER "\`DecodeSBus\`, all methods"
 piece ENCODER "\`EncodeSBus\`: begin, write"
 piece NORMALIZED "\`sbus::toNormalized()\` alone, with the compiler's division" -lgcc
 piece CALIBRATOR "\`sbus::Calibrator\`, all but \`text()\`, and the struct"
+piece CHOICE "\`sbus::ReceiverChoice<2>\`: choose; without \`LinkQuality\`"
 for sketch in ../../examples/*/; do
   example "$(basename "$sketch")"
 done

@@ -126,21 +126,30 @@ verdict $? "100 lost frames in a row are failsafe"
 # ---- Two receivers
 
 chosen() { rows time | awk '{ who = $1 " " $19 $20 } who != before { printf "%s at %d ms; ", who, $NF / 1000 } { before = who }'; }
-got=$(bridge "$work/gap.json" - --second ch1=7 --seconds 2.5 | chosen)
-[ "$got" = "1 00 at 9 ms; 7 00 at 552 ms; " ] && grep -qx '0.550 s: ch1=7 takes over' "$work/err" || { echo "$got"; cat "$work/err"; false; }
-verdict $? "a second receiver takes over after 0.1 s without frames"
 # Its frames end 0.5 ms after those of the second one: both come within one step of the program.
 awk 'BEGIN { for (i = 1; i <= 250; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[1,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", i * 9000 + 700 + (i > 50) * 549000 }' >"$work/back.json"
 awk 'BEGIN { for (i = 1; i <= 400; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[7,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", i * 9000 + 200 }' >"$work/beside.json"
-got=$(bridge "$work/back.json" - --second "$work/beside.json" --seconds 2.5 | chosen)
-[ "$got" = "1 00 at 9 ms; 7 00 at 558 ms; 1 00 at 2016 ms; " ] || { echo "$got"; cat "$work/err"; false; }
-verdict $? "the first one is used again after 1 s, however close its frames are to the second one's"
-[ "$(bridge "$work/lost.json" - --second ch1=7 --seconds 2 | chosen)" = "5 00 at 9 ms; 5 10 at 909 ms; 7 00 at 1002 ms; " ]
-verdict $? "a second receiver takes over after 0.1 s of lost frames"
-[ "$(bridge ch1=4,failsafe=on - --second ch1=7 --seconds 0.5 | chosen)" = "4 01 at 3 ms; 7 00 at 102 ms; " ]
-verdict $? "a second receiver takes over in failsafe"
-[ "$(bridge ch1=4,failsafe=on - --second ch1=7,failsafe=on --seconds 0.5 | chosen)" = "4 01 at 3 ms; " ]
-verdict $? "a second receiver in failsafe does not take over"
+while IFS='|' read -r first second seconds wanted said what; do
+  got=$(cd "$work" && bridge "$first" - --second "$second" --seconds "$seconds" | chosen)
+  [ "$got" = "$wanted " ] && [ "$(sed '1d;$d' "$work/err" | grep -v ' no frames yet; run ' | tr '\n' ';')" = "$said" ] || { echo "$got"; cat "$work/err"; false; }
+  verdict $? "two receivers: $what"
+done <<'END'
+gap.json|ch1=7|2.5|7 00 at 3 ms; 1 00 at 9 ms; 7 00 at 552 ms;|0.003 s: ch1=7 takes over;0.009 s: gap.json takes over;0.550 s: ch1=7 takes over;|the second takes over after 0.1 s without frames
+back.json|beside.json|2.5|7 00 at 9 ms; 1 00 at 9 ms; 7 00 at 558 ms; 1 00 at 2016 ms;|0.009 s: beside.json takes over;0.010 s: back.json takes over;0.551 s: beside.json takes over;2.008 s: back.json takes over;|the first is used again after 1 s, however close its frames are to the second one's
+ch1=7|lost.json|2|7 00 at 3 ms;||a second that loses frames is not used
+lost.json|ch1=7|2|7 00 at 3 ms; 5 00 at 9 ms; 5 10 at 909 ms; 7 00 at 1092 ms;|0.003 s: ch1=7 takes over;0.009 s: lost.json takes over;1.090 s: ch1=7 takes over;|the second takes over after 0.2 s of lost frames
+ch1=4,failsafe=on|ch1=7|0.5|4 01 at 3 ms; 7 00 at 3 ms;|0.003 s: ch1=7 takes over;|in failsafe the second takes over at once
+ch1=4,failsafe=on|ch1=7,failsafe=on|0.5|4 01 at 3 ms;||a second in failsafe does not take over
+ch1=4,failsafe=on|sim:24|0.5|4 01 at 3 ms;|sim: left out, since ch1=4,failsafe=on sends another number of channels;|a second with 24 channels does not take over
+ch1=4,failsafe=on|sim:uninverted|3|4 01 at 3 ms;||nor does an inverted one
+END
+bridge ch1=4,failsafe=on - --second sim:uninverted --seconds 3 >"$work/out"
+grep -qx 'sim: no frames yet; run sbus doctor sim' "$work/err"
+verdict $? "of a second without frames it says so"
+futaba=$(echo 'ch1=7,ch2=Z,ch4=Z,ch5=Z,ch6=Z,ch7=Z,ch8=Z,ch9=Z,ch10=Z,ch11=Z,ch12=Z,ch13=Z,ch14=Z,ch15=Z,ch16=Z' | sed 's/Z/1024/g')
+[ "$(bridge ch1=4,failsafe=on - --second "$futaba" --seconds 0.5 | chosen)" = "4 01 at 3 ms; " ] &&
+  grep -qx "$futaba: left out, since ch1=4,failsafe=on sends the other make's range" "$work/err" || { cat "$work/err"; false; }
+verdict $? "a second of the other make does not take over"
 
 # ---- A trainer: CH8 is the teacher's switch
 
@@ -152,6 +161,11 @@ verdict $? "the pupil controls CH1 to CH4 while the switch is on, but not in the
 verdict $? "the pupil controls the named channels"
 [ "$(trained ch1=7,failsafe=on --trainer ch8 --seconds 0.9)" = "100: 1 1 1 1 1; " ]
 verdict $? "a pupil in failsafe controls no channels"
+[ "$(bridge ch8=1811 - --second "$futaba" --trainer ch8 --seconds 0.5 | rows | cut -d' ' -f1-4 | sort -u)" = "992 992 172 992" ]
+verdict $? "nor does one of the other make"
+sed 's/"failsafe":0/"lost_frame":1,&/' "$work/teacher.json" | awk 'NR <= 45 { sub(/"lost_frame":1,/, "") } { sub(/\[1,1,1,1/, "[7,7,7,7"); print }' >"$work/lossy.json"
+[ "$(trained "$work/lossy.json" --trainer ch8 --seconds 0.9)" = "40: 1 1 1 1 1; 16: 7 7 7 7 1; 44: 1 1 1 1 1; " ]
+verdict $? "nor does one that has had only lost frames for 0.1 s"
 # A program that is killed within a line ends its own receiver only, whichever it is.
 (head -n 60 "$work/teacher.json" | tr 1 7 && printf '{"type":"fra') | sed 's/7877/1811/g' >"$work/half.json"
 while IFS='|' read -r arguments wanted; do

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/Output.h"
 #include "line/Silence.h"
@@ -90,10 +91,8 @@ void Bridge::take(size_t i, const line::Stretch &stretch) {
   }
   const bool isFresh = FrameOutput::mayLeave(last.sinceUs);
   receiver.freshUs = isFresh ? last.endUs : receiver.freshUs;
-  if (isFresh && stretch.kind != Kind::Extra) {
-    _choice.put(i, last.endUs, receiver.observer.newest());
-  }
-  if (i == chosen(last.endUs)) {
+  judge(last.endUs);
+  if (i == _choice.flying()) {
     _end = last.value;
     send(stretch.kind, last, stretch.characters[sbus::FlagsIndex].value);
   }
@@ -116,15 +115,21 @@ void Bridge::tick(Receiver &receiver, uint64_t nowUs) {
   }
 }
 
-// With --trainer, always chooses the teacher's receiver.
-size_t Bridge::chosen(uint64_t nowUs) {
-  const size_t chosen = _options.rules.hasTrainer() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
-  if (chosen != _chosen) {
-    std::fprintf(stderr, "%.3f s: %s %s\n", static_cast<double>(nowUs) / 1e6,
-                 _receivers[chosen]->source.name().c_str(), chosen == 0 ? "has its link back" : "takes over");
-    _chosen = chosen;
+void Bridge::judge(uint64_t nowUs) {
+  if (_receivers[1] == nullptr) {
+    return;
   }
-  return chosen;
+  const size_t before = _choice.flying();
+  _choice.judge(*_receivers[0], *_receivers[1], _options.rules.trainer(), nowUs);
+  const Receiver &flying = *_receivers[_choice.flying()];
+  if (&flying != _receivers[before]) {
+    std::fprintf(stderr, "%.3f s: %s takes over\n", static_cast<double>(nowUs) / 1e6, flying.source.name().c_str());
+  }
+  Receiver &other = *_receivers[1 - _choice.flying()];
+  if (other.misfit != nullptr && !std::exchange(other.isMisfitSaid, true)) {
+    std::fprintf(stderr, "%s: left out, since %s sends %s\n", other.source.name().c_str(), flying.source.name().c_str(),
+                 other.misfit);
+  }
 }
 
 bool Bridge::haveEnded() const {
@@ -139,7 +144,8 @@ bool Bridge::isBroken() const {
 // While no fresh frames arrive, sends the newest values with both flags, like a receiver without a link. The end of a
 // file is no silence of the line. Returns true if it has to.
 bool Bridge::fill(uint64_t nowUs) {
-  Receiver &receiver = *_receivers[chosen(nowUs)];
+  judge(nowUs);
+  Receiver &receiver = *_receivers[_choice.flying()];
   const bool isStale = receiver.observer.state(nowUs) == sbus::LinkState::Stale ||
                        nowUs > receiver.freshUs + line::SilenceUs || isBroken();
   if (receiver.observer.newest().count == 0 || !isStale || (haveEnded() && !receiver.source.isLive())) {
@@ -158,15 +164,15 @@ bool Bridge::fill(uint64_t nowUs) {
 // its own `flags`.
 void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   const uint64_t nowUs = last.endUs;
-  Receiver &receiver = *_receivers[_chosen];
+  Receiver &receiver = *_receivers[_choice.flying()];
   const bool isFresh = nowUs <= receiver.freshUs + line::SilenceUs && !isBroken();
   const sbus::LinkState state = isFresh ? receiver.observer.state(nowUs) : sbus::LinkState::Stale;
   const line::Values &newest = receiver.observer.newest();
   BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
                      kind == Kind::Extra ? line::withFlags(newest, flags) : newest,
                      _options.keepsEnd ? _end : uint8_t{0}, last.sinceUs, last.lateUs};
-  if (_options.rules.hasTrainer() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
-    _options.rules.train(frame.values, _receivers[1]->observer.newest());
+  if (const sbus::Trainer *const trainer = _options.rules.trainer()) {
+    trainer->train(frame.values.raw.data(), receiver.reception, _receivers[1]->observer.newest().raw.data());
   }
   if (kind != Kind::Extra) {
     _options.rules.apply(frame.values.raw.data());

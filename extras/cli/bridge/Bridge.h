@@ -2,7 +2,7 @@
 // live line.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,7 +14,8 @@
 #include "cli/bridge/FrameRules.h"
 #include "cli/options/SourceOption.h"
 #include "line/Observer.h"
-#include "line/Statistics.h"
+#include "sbus/LinkQuality.h"
+#include "sbus/ReceiverChoice.h"
 
 namespace tool {
 
@@ -27,54 +28,57 @@ struct BridgeOptions {
   bool keepsEnd = true;  // the end byte; otherwise 00
 };
 
-struct Receiver {
+// What was heard of a receiver.
+struct Heard {
+  line::Observer observer;
+  uint64_t freshUs = 0;  // the end of the newest frame that may leave
+  sbus::LinkQuality quality;
+  sbus::Reception reception{};
+  const char *misfit = nullptr;  // what the one that flies sends instead; null while both fit
+  bool isMisfitSaid = false;
+};
+
+// Which of two receivers flies, by the rules that boards have.
+class Choice {
+ public:
+  // Judges both, and chooses one: with a trainer the teacher's, the first. Call it for each frame and each tick.
+  void judge(Heard &first, Heard &second, sbus::Trainer *trainer, uint64_t nowUs) {
+    _nowUs = std::max(_nowUs, nowUs);
+    const Heard &flying = this->flying() == 0 ? first : second;
+    for (Heard *const each : {&first, &second}) {
+      const sbus::LinkState state = each->observer.state(_nowUs);
+      each->misfit = misfit(*each, flying);
+      each->reception = {each->freshUs > 0 && each->misfit == nullptr ? state : sbus::LinkState::NeverSeen,
+                         static_cast<unsigned long>((_nowUs - each->freshUs) / 1000),
+                         each->quality.update(each->observer.counters(), state, static_cast<uint32_t>(_nowUs))};
+    }
+    const auto ms = static_cast<uint32_t>(_nowUs / 1000);
+    if (trainer != nullptr) {
+      trainer->hear(second.reception, ms);
+    } else {
+      _choice.choose({first.reception, second.reception}, ms);
+    }
+  }
+
+  size_t flying() const { return _choice.flying(); }
+
+ private:
+  static const char *misfit(const Heard &one, const Heard &other) {
+    const bool isSize = one.freshUs > 0 && other.freshUs > 0 && one.observer.has24() != other.observer.has24();
+    const bool isRange = sbus::haveOtherRanges(one.observer.newest().raw.data(), other.observer.newest().raw.data());
+    return isSize ? "another number of channels" : isRange ? "the other make's range" : nullptr;
+  }
+
+  sbus::ReceiverChoice<2> _choice;
+  uint64_t _nowUs = 0;  // the latest: the two are not in step to the microsecond
+};
+
+struct Receiver : Heard {
   explicit Receiver(const SourceOption &option);
 
   const SourceOption &source;
   const std::unique_ptr<Input> input;
   SilenceNote silence;
-  line::Observer observer;
-  uint64_t freshUs = 0;  // the end of the newest frame that may leave
-};
-
-// Chooses one of two receivers: the second only while the first has no link.
-class TwoReceivers {
- public:
-  // Takes a frame of receiver 0 or 1.
-  void put(size_t receiver, uint64_t nowUs, const line::Values &values) {
-    if (values.failsafe) {
-      _goodUs[receiver] = 0;
-    } else if (!values.lostFrame) {
-      _goodUs[receiver] = nowUs;
-    }
-    choose(nowUs);
-  }
-
-  // Returns true if a frame without a flag came within the last 0.1 s, and no failsafe frame since.
-  bool isGood(size_t receiver, uint64_t nowUs) const {
-    return _goodUs[receiver] > 0 && nowUs < _goodUs[receiver] + GoodForUs;
-  }
-
-  // Returns the receiver chosen at `nowUs`, which may be a little earlier than in the previous call. The choice stays
-  // while neither is good.
-  size_t choose(uint64_t nowUs) {
-    const bool isFirst = isGood(0, nowUs), isSecond = isGood(1, nowUs);
-    _firstSinceUs = !isFirst ? 0 : _firstSinceUs == 0 ? nowUs : _firstSinceUs;
-    if (_chosen == 0) {
-      _chosen = !isFirst && isSecond && nowUs >= GoodForUs ? 1 : 0;  // at the start, wait for the first
-    } else if (isFirst && (!isSecond || nowUs >= _firstSinceUs + BackUs)) {
-      _chosen = 0;
-    }
-    return _chosen;
-  }
-
- private:
-  static constexpr uint64_t GoodForUs = 100000;
-  static constexpr uint64_t BackUs = 1000000;  // the first has been good for so long before it is chosen again
-
-  size_t _chosen = 0;
-  std::array<uint64_t, 2> _goodUs{};  // time of the newest frame without a flag; 0: none, or failsafe since
-  uint64_t _firstSinceUs = 0;         // the first has been good since then; 0: it is not
 };
 
 class Bridge {
@@ -94,7 +98,7 @@ class Bridge {
   Input::Taker taker(size_t i);
   void take(size_t i, const line::Stretch &stretch);
   void tick(Receiver &receiver, uint64_t nowUs);
-  size_t chosen(uint64_t nowUs);
+  void judge(uint64_t nowUs);
   bool haveEnded() const;
   bool isBroken() const;
   bool fill(uint64_t nowUs);
@@ -104,10 +108,9 @@ class Bridge {
   Receiver *const _receivers[2];
   const std::string _to;
   FrameOutput _output;
-  TwoReceivers _choice;
+  Choice _choice;
   const bool _isText;
   const bool _hasTimes;
-  size_t _chosen = 0;
   uint64_t _sentUs = 0;
   uint8_t _end = 0;  // the newest frame's end byte
 };

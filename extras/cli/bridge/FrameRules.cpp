@@ -23,17 +23,16 @@ size_t channelOr(const std::string &wrong, std::string_view name) {
   return channel - 1;
 }
 
-size_t trainersChannel(std::string_view word) {
-  return channelOr("--trainer: channels of ch1 to ch16, such as ch8 or ch8=ch1,ch2, are expected, not " +
-                       line::quoted(word),
-                   word);
+uint8_t trainersChannel(std::string_view word) {
+  const std::string wrong = "--trainer: channels of ch1 to ch16, such as ch8 or ch8=ch1,ch2, are expected, not ";
+  return static_cast<uint8_t>(channelOr(wrong + line::quoted(word), word));
 }
 
 }  // namespace
 
 FrameRules::FrameRules(Subcommand &subcommand) {
   _trainerOption =
-      subcommand.option("--trainer", _trainer, "while this channel is on, take CH1 to CH4, or these, from --second");
+      subcommand.option("--trainer", _trainerText, "while this channel is on, take CH1 to CH4, or these, from --second");
   _trainerOption.type("CH[=CH,...]");
   subcommand.option("--map", _map, "the channels of SOURCE that become CH1, CH2 ...; -3: CH3 reversed").type("N,N,...");
   subcommand.option("--limit", _limit, "the ends of channels, such as ch3=172..1500").type("CH=LOW..HIGH,...");
@@ -52,17 +51,17 @@ void FrameRules::read(const sbus::Range &range) {
 }
 
 void FrameRules::readTrainer() {
-  if (!hasTrainer()) {
+  if (!_trainerOption.given()) {
     return;
   }
-  const std::string_view text = _trainer;
+  const std::string_view text = _trainerText;
   const size_t sign = text.find('=');
-  _switch = trainersChannel(text.substr(0, sign));
+  unsigned handedOver = sign == text.npos ? 0xF : 0;  // CH1 to CH4
   if (sign != text.npos) {
-    _handedOver.clear();
     line::forEachBetweenCommas(text.substr(sign + 1),
-                               [&](std::string_view word) { _handedOver.push_back(trainersChannel(word)); });
+                               [&](std::string_view word) { handedOver |= 1u << trainersChannel(word); });
   }
+  _trainer.emplace(trainersChannel(text.substr(0, sign)), static_cast<uint16_t>(handedOver), _range);
 }
 
 void FrameRules::readMap() {
@@ -139,15 +138,6 @@ void FrameRules::readFailsafe() {
     }
     _failsafeValues.emplace_back(channel, values.raw[channel]);
   });
-}
-
-void FrameRules::train(line::Values &teacher, const line::Values &pupil) const {
-  constexpr int16_t OnAbove = 500;  // +50 %: the middle of a three-position switch is off
-  if (sbus::toNormalized(teacher.raw[_switch], _range) > OnAbove) {
-    for (const size_t channel : _handedOver) {
-      teacher.raw[channel] = pupil.raw[channel];
-    }
-  }
 }
 
 bool FrameRules::applyFailsafe(sbus::LinkState state, bool isExtra, line::Values &values) {

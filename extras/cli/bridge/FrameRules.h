@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "sbus/Frame.h"
 #include "sbus/Link.h"
 #include "sbus/Scaling.h"
+#include "sbus/Trainer.h"
 
 namespace tool {
 
@@ -25,10 +27,8 @@ class FrameRules {
   // Reads the options. Rejects the command line if one is wrong.
   void read(const sbus::Range &range);
 
-  bool hasTrainer() const { return _trainerOption.given(); }
-
-  // Copies the pupil's channels into the teacher's frame while the teacher's switch is on.
-  void train(line::Values &teacher, const line::Values &pupil) const;
+  // Returns the rule of --trainer; null without it.
+  sbus::Trainer *trainer() { return _trainer ? &*_trainer : nullptr; }
 
   // Changes the raw values by --map, then --limit; the first is CH1.
   void apply(uint16_t *raw) const;
@@ -52,15 +52,14 @@ class FrameRules {
   void readLimits();
   void readFailsafe();
 
-  std::string _trainer;
+  std::string _trainerText;
   Option _trainerOption;
+  std::optional<sbus::Trainer> _trainer;
   std::string _map;
   std::string _limit;
   std::string _failsafe;
   Option _failsafeOption;
   sbus::Range _range = sbus::FrSky;
-  size_t _switch = 0;  // the teacher's, counted from 0, and the channels that it hands over
-  std::vector<size_t> _handedOver = {0, 1, 2, 3};
   std::vector<MapSource> _sources;  // of CH1, CH2 ...
   std::vector<Limit> _limits;
   std::vector<std::pair<size_t, uint16_t>> _failsafeValues;  // raw values of channels, counted from 0

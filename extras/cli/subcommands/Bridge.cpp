@@ -28,7 +28,7 @@ void run(Options &options) {
   const sbus::Range range = options.range.range();
   options.source.setRange(range);
   options.bridge.rules.read(range);
-  if (options.bridge.rules.hasTrainer() && options.second.empty()) {
+  if (options.bridge.rules.trainer() != nullptr && options.second.empty()) {
     rejectCommandLine("--trainer: --second is the pupil's receiver; name it");
   }
   std::optional<SourceOption> second;
@@ -54,7 +54,7 @@ void addBridge(CLI::App &app) {
       .option("DEVICE", options->to, "a serial port; - for JSON lines; without it, a pseudo-terminal (prints its name)")
       .notEmpty()
       .type("");
-  subcommand.option("--second", options->second, "a second receiver, used while the first has no link")
+  subcommand.option("--second", options->second, "a second receiver, used while it is the better one")
       .notEmpty()
       .type("SOURCE");
   subcommand.footer(

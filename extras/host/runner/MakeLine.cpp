@@ -17,6 +17,22 @@ const char *what(line::Sticks sticks) {
              : "every 40 s: whole travel; from 15 s let go, throttle low; from 23 s up and right; from 29 s a flight";
 }
 
+// Opens a recording or a simulated receiver for a port, and prints its name.
+std::unique_ptr<line::Line> openLine(line::Source source, int port, double seconds) {
+  source.isForSketch = true;
+  std::unique_ptr<line::Line> line = source.open();
+  std::fprintf(stderr, "Serial%d: %s", port, source.text().c_str());
+  if (seconds > 0 && source.isSimulated()) {
+    std::fprintf(stderr, ", %g s; Ctrl-C stops it\n", seconds);
+  } else {
+    std::fprintf(stderr, "; Ctrl-C stops it\n");
+  }
+  if (source.isSimulated() && !source.silent) {
+    std::fprintf(stderr, "  %s\n", what(source.sticks));
+  }
+  return line;
+}
+
 }  // namespace
 
 std::unique_ptr<line::Line> makeLine(const Options &options) {
@@ -30,19 +46,11 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
                  options.seconds > 0 ? "" : ", until Ctrl-C");
     return line;
   }
-  line::Source source = options.source;
-  source.isForSketch = true;
-  std::unique_ptr<line::Line> line = source.open();
-  std::fprintf(stderr, "Serial%d: %s", options.on, source.text().c_str());
-  if (options.seconds > 0 && source.isSimulated()) {
-    std::fprintf(stderr, ", %g s; Ctrl-C stops it\n", options.seconds);
-  } else {
-    std::fprintf(stderr, "; Ctrl-C stops it\n");
-  }
-  if (source.isSimulated() && !source.silent) {
-    std::fprintf(stderr, "  %s\n", what(source.sticks));
-  }
-  return line;
+  return openLine(options.source, options.on, options.seconds);
+}
+
+std::unique_ptr<line::Line> makeSecondLine(const Options &options) {
+  return options.second ? openLine(*options.second, SecondPort, options.seconds) : nullptr;
 }
 
 }  // namespace host

@@ -92,6 +92,24 @@ void takeSource(const std::string &text, unsigned long baud, Options &options) {
   options.source.settings.polarity = line::Polarity::Either;
 }
 
+// Takes the source of the line at Serial2, and rejects it if that port's RX has another one.
+void takeSecond(const std::string &text, Options &options) {
+  try {
+    options.second = line::parseSource(text);
+  } catch (const std::runtime_error &error) {
+    throw CLI::ValidationError("--second", error.what());
+  }
+  if (!options.second->isSimulated() && line::isPortName(options.second->name)) {
+    throw CLI::ValidationError("--second", text + ": a recording or sim is expected; give the port to --source");
+  }
+  options.second->settings.baud = options.source.settings.baud;
+  const bool hasWire = std::any_of(options.wires.begin(), options.wires.end(),
+                                   [](const WireOption &wire) { return wire.to == SecondPort; });
+  if (hasWire || options.on == SecondPort) {
+    throw CLI::ValidationError("--second", "RX of Serial2 has a --wire or the line of --on 2; leave that out");
+  }
+}
+
 // Lets a wire at the RX pin of --on replace the line. Then there is no line, and its options are rejected.
 void settleLine(const std::vector<CLI::Option *> &lineOptions, Options &options) {
   const bool taken = std::any_of(options.wires.begin(), options.wires.end(),
@@ -115,6 +133,7 @@ Options parseOptions(int argc, char **argv) {
   std::vector<std::string> wires;
   std::vector<std::string> sent;
   std::string name = "sim";
+  std::string secondName;
   unsigned long baudRate = sbus::Baud;
   CLI::App app{"Runs the sketch on this PC. Its Serial is standard output; everything else goes to standard error."};
 
@@ -126,6 +145,8 @@ Options parseOptions(int argc, char **argv) {
   baud->check(CLI::IsMember({100000, 200000}).description(""))->type_name("100000|200000");
   auto *on = app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)");
   on->check(CLI::Range(1, 3).description(""))->type_name("1|2|3");
+  auto *second = app.add_option("--second", secondName, "a second receiver, at Serial2: sim:WORD,... or a recording");
+  second->type_name("SOURCE");
   app.add_option("--wire", wires, "a wire from TX of one port to RX of another or the same; may be given several times")
       ->check(CLI::Validator(checkWire, ""))
       ->type_name("TX-RX")
@@ -151,6 +172,9 @@ Options parseOptions(int argc, char **argv) {
     addWires(wires, options);
     addSent(sent, options);
     settleLine({source, baud, on}, options);
+    if (second->count() > 0) {
+      takeSecond(secondName, options);
+    }
   } catch (const CLI::ParseError &error) {
     std::exit(app.exit(error));
   }

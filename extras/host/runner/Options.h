@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Options {
   line::Source source;
   std::string port;  // the source's name if it is a port; otherwise empty
   int on = 1;        // 0: no line, since a wire replaces it
+  std::optional<line::Source> second;  // of another line, which is attached to Serial2
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;
   bool pulses = false;  // a receiver without S.Bus is connected to pins 2..5
@@ -39,9 +41,15 @@ struct Options {
 // Reads the command line. Ends the program if it is wrong or asks for help.
 Options parseOptions(int argc, char **argv);
 
-// Opens the line for the board's port, and prints its name to standard error; a silent line if the options have none. Throws
-// std::runtime_error.
+// The port of the second line.
+constexpr int SecondPort = 2;
+
+// Opens the line for the board's port, and prints its name to standard error; a silent line if the options have none.
+// Throws std::runtime_error.
 std::unique_ptr<line::Line> makeLine(const Options &options);
+
+// Opens the second line likewise; null without one.
+std::unique_ptr<line::Line> makeSecondLine(const Options &options);
 
 // Prints the report at the end, on standard error.
 void printReport(Board &board, const Options &options);

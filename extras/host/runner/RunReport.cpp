@@ -172,9 +172,15 @@ void printReport(Board &board, const Options &options) {
     std::fprintf(stderr, "; on the line: ");
     reportTraffic(board.port(options.on).observer(), nowUs);
   }
+  if (options.second) {
+    std::fprintf(stderr, "; on the second: ");
+    reportTraffic(board.port(SecondPort).observer(), nowUs);
+  }
   std::fputc('\n', stderr);
-  if (options.on != 0) {
-    reportLine(board, options.on);
+  for (const int number : {options.on, options.second ? SecondPort : 0}) {
+    if (number != 0) {
+      reportLine(board, number);
+    }
   }
   reportListeners(board);
   for (const WireOption &wire : options.wires) {

@@ -42,7 +42,8 @@ void requestStop(int signal) {
 // Decides when the run is over, and ends it even if the sketch does not return from loop().
 class Ending {
  public:
-  Ending(const Options &options, const line::Line &line) : _options(options), _line(line) {
+  Ending(const Options &options, const line::Line &line, const line::Line *second)
+      : _options(options), _line(line), _second(second) {
     if (options.seconds > 0) {
       _endUs = static_cast<uint64_t>(options.seconds * 1e6);
     }
@@ -51,7 +52,8 @@ class Ending {
   bool reached(uint64_t nowUs) const { return nowUs >= _endUs; }
 
   void check(uint64_t nowUs) {
-    if (!reached(nowUs) && (stopRequested != 0 || _line.finished(nowUs) || !_line.failure().empty())) {
+    const bool hasFinished = _line.finished(nowUs) && (_second == nullptr || _second->finished(nowUs));
+    if (!reached(nowUs) && (stopRequested != 0 || hasFinished || !_line.failure().empty())) {
       _endUs = nowUs;
     }
     if (reached(nowUs) && nowUs - _endUs >= PatienceUs) {
@@ -88,6 +90,7 @@ class Ending {
 
   const Options &_options;
   const line::Line &_line;
+  const line::Line *const _second;  // null without one
   uint64_t _endUs = UINT64_MAX;
 };
 
@@ -146,7 +149,7 @@ void hint(const line::Observer &observer, const std::string &port) {
 [[noreturn]] void run(const Options &options) {
   Board &board = Board::instance();
   prepareFiles(board, options);
-  const std::unique_ptr<line::Line> line = makeLine(options);
+  const std::unique_ptr<line::Line> line = makeLine(options), second = makeSecondLine(options);
   connectWires(board, options);
   if (options.pulses) {
     board.pulsePins().connect();
@@ -156,7 +159,10 @@ void hint(const line::Observer &observer, const std::string &port) {
   if (options.on != 0) {
     board.port(options.on).attach(*line, options.source.settings);
   }
-  Ending ending(options, *line);
+  if (second) {
+    board.port(SecondPort).attach(*second, options.second->settings);
+  }
+  Ending ending(options, *line, second.get());
   uint64_t hintUs = options.port.empty() ? UINT64_MAX : HintUs;
   board.onTime([&](uint64_t nowUs) {
     if (nowUs >= hintUs) {

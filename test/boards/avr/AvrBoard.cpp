@@ -72,6 +72,12 @@ AvrBoard::AvrBoard(const Model &model, const std::string &sketch, Line line, dou
     read.c = dataRead;
     read.param = this;
   }
+  if (_line.second) {
+    const size_t number = _line.secondUsart;
+    _second = std::make_unique<SecondLine>(
+        _avr, *_usarts[number], std::move(_line.second), [this, number] { return settings(number); },
+        [this] { return clockUs(_avr->cycle); });
+  }
   for (size_t pin = 0; pin < 4; pin++) {
     on(port(_model.servos[pin]), [this, pin](uint32_t value) { edge(pin, (value & 1) != 0); });
   }
@@ -300,6 +306,9 @@ std::string AvrBoard::mistakes() const {
   if (unusedRam() < LeastRam) {
     all += "RAM: " + std::to_string(unusedRam()) + " bytes between variables and stack\n";
   }
+  if (_second && _second->lost() > 0) {
+    all += "second line: " + std::to_string(_second->lost()) + " characters were not read in time\n";
+  }
   return all + (_lost == 0 ? ""
                            : "USART" + std::to_string(_model.receiver) + ": " + std::to_string(_lost) +
                                  " characters were not read in time\n");
@@ -333,6 +342,9 @@ void AvrBoard::control(size_t number, uint32_t value) {
     if (!_transmitters[number].hasNext) {
       avr_raise_interrupt(_avr, &usart.udrc);  // also when UDRIEn is set
     }
+  }
+  if (_second && number == _line.secondUsart) {
+    _second->control((value & ReceiverOn) != 0);
   }
   if (number == _model.receiver) {
     const bool asBefore = _isOpen && settings(number) == _settings;

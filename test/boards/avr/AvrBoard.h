@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "SecondLine.h"
 #include "UsbHost.h"
 #include "line/Line.h"
 #include "line/LineSettings.h"
@@ -79,6 +80,8 @@ struct Line {
   uint64_t cutUs = UINT64_MAX;         // when it falls silent
   bool isShared = false;               // TX is at the same wire, through a diode behind the inverter
   std::vector<Level> levels;           // at other pins, in the order of their times
+  std::unique_ptr<line::Line> second;  // at another USART; null: there is none
+  size_t secondUsart = 2;
 };
 
 // All times in us, as the sketch's micros() counts.
@@ -112,6 +115,7 @@ class AvrBoard {
   AvrBoard &operator=(const AvrBoard &) = delete;
 
   const std::vector<line::Character> &characters() const { return _characters; }  // on the line
+  const std::vector<line::Character> &secondCharacters() const { return _second->characters(); }
   const std::vector<uint64_t> &opened() const { return _opened; }                 // when the line's port was
   const std::vector<Printed> &printed() const { return _printed; }  // lines on Serial, or over USB, without their ends
   const std::vector<Sent> &sent() const { return _sent; }           // on the ports that do not print
@@ -194,6 +198,7 @@ class AvrBoard {
   };
   std::deque<Edge> _edges;  // that come to it
   size_t _nextLevel = 0;
+  std::unique_ptr<SecondLine> _second;
   avr_cycle_count_t _rose[6] = {};
   Printed _row{};  // printed so far
 

@@ -12,7 +12,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Busy InterruptsOff Masked Pin PinBackground PinLoops PinLoopsPort
+OURS_ALONE := Background Busy Choice InterruptsOff Masked Pin PinBackground PinLoops PinLoopsPort
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega
@@ -20,7 +20,8 @@ leonardo := atmega32u4 LEONARDO leonardo -DUSBCON -DUSB_VID=0x2341 -DUSB_PID=0x8
 uno := atmega328p UNO standard
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
 reason = $(strip $(if $(filter leonardo-PwmIn uno-PwmIn,$1-$2),needs four pins with interrupts) \
-  $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),An SBusPin only receives))
+  $(if $(filter uno-Loopback uno-Mixer uno-Sensor,$1-$2),An SBusPin only receives) \
+  $(if $(filter leonardo-TwoReceivers leonardo-Trainer,$1-$2),needs a second port))
 # Busy and Masked have a timer 2.
 ours = $(if $(filter mega,$1),$(filter-out PinLoops%,$(OURS_ALONE)),$(if $(filter leonardo,$1),Background InterruptsOff,$(filter Pin%,$(OURS_ALONE))))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
