@@ -42,8 +42,10 @@ class FrameBuffer {
   /// Likely or Wide if one is that, Unknown if there are none.
   Silence inside() const { return _inside; }
   /// Marks a gap before the next byte.
-  void markGap(Silence gap) {
-    if (_gapAt == _filled) {
+  void markGap(Silence gap) { markGap(gap, _filled); }
+  /// Marks a gap before the byte at `index`, which has not come yet.
+  void markGap(Silence gap, uint8_t index) {
+    if (_gapAt == index) {
       _gap = gap > _gap ? gap : _gap;
       return;
     }
@@ -52,7 +54,7 @@ class FrameBuffer {
     } else if (_gapAt < Format::Size && (_gap != Silence::Gap || _inside == Silence::Unknown)) {
       _inside = _gap;
     }
-    _gapAt = _filled;
+    _gapAt = index;
     _gap = gap;
   }
 

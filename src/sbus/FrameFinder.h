@@ -108,7 +108,7 @@ class FrameFinderOf : private Events {
     } else if (silence >= Silence::Gap) {
       gapBefore(silence);
     } else if (silence == Silence::Likely) {
-      likelyGap();
+      _buffer.markGap(Silence::Likely);
     }
     if (_timing.mayHaveFoundTooFew()) {
       checkFound();
@@ -117,29 +117,23 @@ class FrameFinderOf : private Events {
   }
 
   /// Likewise, for a port that tells when the line was idle. `fromCallback`: the port has just handed the bytes over
-  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes
-  /// to read before likelyGap(), or 0.
+  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read.
   ///
   /// The port does not tell where half of its ring ends. There only the time can show a gap, and other work may have
   /// delayed the call. So such a gap is certain only after a frame's number of characters, and is not looked for
   /// between two idle times where a frame is due in time: parts of two frames are a frame period apart.
-  SBUS_IN_LINE int pollIdling(unsigned found, uint32_t now, bool fromCallback, bool isIdle) {
+  SBUS_IN_LINE void pollIdling(unsigned found, uint32_t now, bool fromCallback, bool isIdle) {
     startPoll(found);
     const int all = _buffer.filled() + static_cast<int>(found);
     const bool isWhole = all == Size && isIdle;
-    int before = 0;
     const bool isAfterIdle = _buffer.filled() != 0 && _buffer.gapAt() == _buffer.filled();  // is that gap wide?
     if (!isDue() || (!isWhole && all >= Size) || !isInTime(now) || isAfterIdle) {
-      before = likelyGapAt(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
+      lookForGap(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
     }
     _timing.take(now);
     _unread = 0;
     _sizeCheck.characters(found);
-    return before;
   }
-
-  /// The line may have been silent after the last byte.
-  void likelyGap() { _buffer.markGap(Silence::Likely); }
 
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
   const uint8_t *idle(uint32_t now) {
@@ -270,25 +264,25 @@ class FrameFinderOf : private Events {
     return _timing.silence(found - _unread, handedOver, _unread != 0 ? _timing.lastPoll() : _timing.lastBytes());
   }
 
-  // Takes a silence that the times show before these bytes. Returns how many bytes wait before it, if it may be a gap:
-  // see pollIdling().
-  int likelyGapAt(uint32_t silence, bool isWhole) {
+  // Takes a silence that the times show before the bytes that were not there at the last call.
+  void lookForGap(uint32_t silence, bool isWhole) {
     const int filled = _buffer.filled();
     const bool mayStop = isWhole && (_buffer.gapAt() == 0 || isDue());
     const bool isLikely = silence > (mayStop ? LineTiming::LongestStop : _timing.shortestGap());
-    if (_unread != 0) {
-      return isLikely ? _unread : 0;
+    if (_unread == 0) {
+      if (silence >= LineTiming::LongSilence) {
+        startOver(rules::FirstDistance);
+        return;
+      }
+      if (silence > _timing.shortestGap() && (_buffer.gapAt() == filled || _sizeCheck.isFrame() ||
+                                              (filled == Size && (isDue() || _buffer.beginsWide())))) {
+        gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
+        return;
+      }
     }
-    if (silence >= LineTiming::LongSilence) {
-      startOver(rules::FirstDistance);
-    } else if (silence > _timing.shortestGap() &&
-               (_buffer.gapAt() == filled || _sizeCheck.isFrame() ||
-                (filled == Size && (isDue() || _buffer.beginsWide())))) {
-      gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
-    } else if (isLikely) {
-      likelyGap();
+    if (isLikely) {
+      _buffer.markGap(Silence::Likely, static_cast<uint8_t>(filled + _unread));
     }
-    return 0;
   }
 
   // While interrupts are off, a UART keeps a few characters and loses the others. If the line goes on at the same place
