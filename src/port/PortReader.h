@@ -104,7 +104,10 @@ class PortReader {
       waiting -= count;
       take(_finder.received(count, waiting));
     }
-    return static_cast<unsigned>(found) <= _port.half() || !_port.losesNewest() || !drop(static_cast<unsigned>(found));
+    if (static_cast<unsigned>(found) > _port.half() && _port.losesNewest()) {
+      return !drop(static_cast<unsigned>(found));
+    }
+    return true;
   }
 
   SBUS_IN_LINE void take(const uint8_t *frame) {

@@ -105,7 +105,7 @@ class FrameFinderOf : private Events {
     const Silence silence = _timing.silenceBefore<Format>(found, asked, now);
     if (silence == Silence::Long) {
       startOver(rules::FirstDistance);
-    } else if (silence >= Silence::Gap) {
+    } else if (isCertain(silence)) {
       gapBefore(silence);
     } else if (silence == Silence::Likely) {
       _buffer.markGap(Silence::Likely);
@@ -241,7 +241,7 @@ class FrameFinderOf : private Events {
   void gapBefore(Silence gap) {
     const int filled = _buffer.filled();
     Events::gap(filled);
-    if (gap == Silence::Wide && filled != 0 && filled < Size && _buffer.isHeader(0)) {
+    if (isWide(gap) && filled != 0 && filled < Size && _buffer.isHeader(0)) {
       uint8_t *const beginning = _buffer.bytes();
       countUp(_counters.rejectedByLength);
       Events::rejected(0, Rejection::GapInside);
@@ -351,7 +351,7 @@ class FrameFinderOf : private Events {
     while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
       // A sensor's answer: the next frame is expected after it, and after a gap where the answer lacks a character. So
       // it is after a break, if an answer or a gap follows.
-      const int untilGap = _buffer.gap() >= Silence::Gap ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
+      const int untilGap = isCertain(_buffer.gap()) ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
       int size = SlotSize;
       if (rules::isBreak(_buffer[0])) {
         if (_buffer.filled() < 2) {
@@ -410,7 +410,7 @@ class FrameFinderOf : private Events {
   // Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
   void noteEnd(int waiting) {
     const int following = _buffer.filled() - Size;
-    if (following >= 0 && static_cast<unsigned>(following + waiting) < _found) {
+    if (following >= 0 && following + waiting < static_cast<int>(_found)) {
       _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
       _completeBy = _timing.lastPoll();
     }
@@ -493,7 +493,7 @@ class FrameFinderOf : private Events {
 
   static uint8_t variantOf(uint8_t end) {
     const uint8_t variant = variantOfEnd(end);
-    return Format::Variants == UnknownVariant || variant < Format::Variants ? variant : UnknownVariant;
+    return Format::Variants == VariantCount || variant < Format::Variants ? variant : UnknownVariant;
   }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
