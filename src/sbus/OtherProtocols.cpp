@@ -31,7 +31,7 @@ uint16_t crc16(uint16_t crc, uint8_t byte) {  // SUMD: 1021
 
 void OtherProtocols::put(uint8_t byte) {
   _bytes[_next] = byte;
-  _next = static_cast<uint8_t>((_next + 1) % Size);
+  _next = _next == Size - 1 ? uint8_t{0} : static_cast<uint8_t>(_next + 1);  // without %, as in at(): AVRs cannot divide
   _count++;
   take(0, Finding::IBus, endOfIBus());
   take(1, Finding::Crsf, endOfCrsf());

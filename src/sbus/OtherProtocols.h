@@ -28,7 +28,7 @@ class OtherProtocols {
     uint8_t count;  // of packets, one after the other
   };
 
-  uint8_t at(uint8_t back) const { return _bytes[static_cast<uint8_t>(_next + Size - 1 - back) % Size]; }
+  uint8_t at(uint8_t back) const { return _bytes[back < _next ? _next - 1 - back : _next + Size - 1 - back]; }
   uint8_t endOfIBus() const;
   uint8_t endOfCrsf() const;
   uint8_t endOfSumd() const;
