@@ -8,9 +8,9 @@
 
 #include "SBusPort.h"
 #include "port/Clock.h"
-#include "port/Listener.h"
+#include "port/ListeningPort.h"
+#include "port/PortReader.h"
 #include "sbus/Barrier.h"
-#include "sbus/ExtraFrame.h"
 #include "sbus/FrameFinder.h"
 
 namespace sbus {
@@ -40,7 +40,10 @@ class LinkQuality;
 /// sketch need not call a method in time, but the object must live until end(). DecodeSBusBackground does the same on
 /// other boards: extras/docs/interrupts.md.
 template <typename Format, typename Events = sbus::NoEvents, typename Polling = sbus::PolledByLoop>
-class DecodeSBusOf : protected Polling {
+class DecodeSBusOf : protected Polling,
+                     protected sbus::PortReader<Format, Events, sbus::ListeningPort, sbus::ClockedLink> {
+  using Reader = sbus::PortReader<Format, Events, sbus::ListeningPort, sbus::ClockedLink>;
+
  public:
   template <typename Other>
   using PolledBy = DecodeSBusOf<Format, Events, Other>;  ///< the same, polled in another way: DecodeSBusBackgroundOf
@@ -52,20 +55,20 @@ class DecodeSBusOf : protected Polling {
   /// Remembers `port`, and opens nothing yet. A hardware serial port is opened by begin(); any other Stream is opened
   /// by the sketch (see listen()). `port` must outlive the object.
   template <typename Port>
-  explicit DecodeSBusOf(Port &port) : _port(port) {
+  explicit DecodeSBusOf(Port &port) : Reader(port) {
     Polling::template check<Port>();
   }
 
   /// Does not compile: `DecodeSBus dSBus(&Serial1)` is another library's form.
   template <typename Port>
-  explicit DecodeSBusOf(Port *port) : _port(*port) {
+  explicit DecodeSBusOf(Port *port) : Reader(*port) {
     static_assert(sizeof(Port) == 0, "Write DecodeSBus dSBus(Serial1), without the &");
   }
 
   /// Remembers `port` and its pins, on an ESP32 or ESP8266: begin() always opens it on `rx` and `tx`. On other cores
   /// this constructor does not compile; extras/docs/boards.md says how they choose pins.
   template <typename Port>
-  DecodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {
+  DecodeSBusOf(Port &port, int8_t rx, int8_t tx) : Reader(port, rx, tx) {
     Polling::template check<Port>();
   }
 
@@ -218,6 +221,11 @@ class DecodeSBusOf : protected Polling {
   // listen() and end() must not: they stop and start the polling. The methods below have none.
   using Lock = typename Polling::Lock;
 
+  using Reader::_finder;
+  using Reader::_link;
+  using Reader::_port;
+  using Reader::pollAll;
+
   bool isOk() { return sbus::isYoung(state()); }
 
   unsigned long ageInMs() {
@@ -284,25 +292,24 @@ class DecodeSBusOf : protected Polling {
     _decoded = number;
   }
 
-  // Opens the port, and discards bytes that an AVR's port still holds: nobody knows how old they are.
+  // Opens the port, and discards bytes that an AVR's port still holds: nobody knows how old they are. (The STM32L0's
+  // begin() has emptied its own: stm32l0_uart.c:846.)
   void open(unsigned long baud, uint32_t config) {
     _port.open(baud, config);
-    for (int waiting = baud > sbus::SlowestBaud ? _port.available() : 0; waiting > 0; waiting--) {
+    const bool mayHold = !sbus::ListeningPort::Calls && baud > sbus::SlowestBaud;
+    for (int waiting = mayHold ? _port.available() : 0; waiting > 0; waiting--) {
       _port.stream().read();
     }
   }
 
   void start(unsigned long baud) {
     reset(baud);
-    startCallbacks(&DecodeSBusOf::onReceive, this);
+    startCallbacks<Reader>(&Reader::onReceive, this);
     this->startPolling(*this);
   }
 
   void reset(unsigned long baud) {
-    const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
-    _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters(baud));
-    _link.reset();
-    _link.start();
+    Reader::reset(baud);
     _decoded = 0;
   }
 
@@ -316,122 +323,6 @@ class DecodeSBusOf : protected Polling {
     }
   }
 
-  void onReceive() {
-    if (!Events::wantsTimes() && _port.isAtHalf()) {
-      _port.callAgain();  // before the bytes are counted: those that come meanwhile must call, too
-      if (_finder.mayWait(_port.waiting(), micros())) {  // one read for a frame costs less than two
-        return;
-      }
-    }
-    pollAll(true);
-  }
-
-  // Polls, and once more if the port has called back meanwhile.
-  void pollAll(bool fromCallback) {
-    while (_port.enter()) {
-      poll(sbus::ListeningPort::Calls && fromCallback);
-      if (!_port.leave()) {
-        return;
-      }
-      fromCallback = true;
-    }
-  }
-
-  // Reads only what is pending when it is called: later bytes may follow a loss. Asked for more than available(), the
-  // STM32L0's core would write past the end of the buffer.
-  void poll(bool fromCallback) {
-    const uint32_t asked = micros();
-    const int found = _port.available();
-    uint32_t now = asked;
-    if (Events::wantsTimes()) {
-      _finder.events().polled(found, micros());
-    } else if (found > 0 && !fromCallback) {
-      now = micros();  // an interrupt may have come before available() or after it
-    }
-    if (found <= 0) {
-      if (const uint8_t *const frame = _finder.idle(now)) {
-        updateLink(frame);
-      }
-      return;
-    }
-    const unsigned bytes = static_cast<unsigned>(found);
-    if (_port.mayHaveLostOldest(bytes)) {
-      _finder.bytesLost();  // the bytes that wait stand after the loss
-    }
-    int split = 0;
-    if (_port.tellsIdle()) {
-      split = _finder.pollIdling(bytes, now, fromCallback, _port.wasIdle());
-    } else {
-      // On an AVR only interrupts can stop loop(), and not for long: spare it 60 bytes, and polls that take longer.
-      _finder.poll(bytes, sbus::LineTiming::ClockRuns ? asked : now, now);
-    }
-    int waiting = found;
-    while (waiting != 0) {
-      const int count = readBytes(split != 0 && split < waiting ? split : waiting);
-      if (count <= 0) {  // the port fails, or tells a loss
-        if (!sbus::Port::TellsLoss || Events::wantsTimes()) {
-          return;
-        }
-        break;
-      }
-      waiting -= count;
-      if (const uint8_t *const frame = _finder.received(count, waiting)) {
-        updateLink(frame);
-      }
-      if (split != 0) {
-        _finder.likelyGap();
-        split = 0;
-      }
-    }
-    // Counting the bytes that have arrived since, the port's buffer may have overflowed before it was read: then those
-    // bytes may stand before the loss or after it.
-    int more = 0;
-    if (waiting == 0 && bytes > _port.half() && _port.losesNewest()) {
-      more = _port.available();
-      waiting = static_cast<unsigned>(found + more) > 2 * _port.half();
-    }
-    if (waiting != 0) {
-      _finder.bytesLost();
-      while (more > 0) {
-        const int count = readBytes(more);
-        if (count <= 0) {
-          return;
-        }
-        more -= count;
-      }
-      return;
-    }
-    if (_port.isIdle()) {
-      if (const uint8_t *const frame = _finder.ended()) {
-        updateLink(frame);
-      }
-    }
-  }
-
-  // Updates the link by a frame that has come. Until a sketch has channels, a frame that withholds them is failsafe.
-  //
-  // If the board has slept since the frame before, what came before the sleep counts as old, and so does this frame:
-  // parts of two may have been joined, since the silence between them seemed short.
-  void updateLink(const uint8_t *frame) {
-    const sbus::Counters &counters = _finder.counters();
-    const bool hasNone = Format::ZeroMeansLost && counters.lostFrames == counters.frames;
-    _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
-    if (_link.took(_finder.frameTime())) {
-      _link.makeOld();
-      _finder.events().forgetAll();
-    }
-  }
-
-  // Reads the next of the bytes that wait. Returns how many, or 0 or less if the port fails.
-  __attribute__((always_inline)) int readBytes(int waiting) {
-    const int room = _finder.room();
-    return _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
-  }
-
-  // First: the short offsets of Thumb instructions then reach its small members, 18 cycles a frame less.
-  sbus::FrameFinderOf<Format, Events> _finder;
-  sbus::ListeningPort _port;
-  sbus::ClockedLink _link;
   uint32_t _decoded = 0;  // number of the frame that was decoded last
 
   /// @endcond
@@ -444,52 +335,8 @@ class DecodeSBusOf : protected Polling {
 };
 
 /// Decodes sixteen channels and two switches, which nearly all receivers send. On a line of Futaba's FASSTest 26 it
-/// discards the frames with CH17..CH32: use DecodeSBus32.
+/// discards the frames with CH17..CH32: use DecodeSBus32 (DecodeSBus32.h).
 using DecodeSBus = DecodeSBusOf<sbus::Frame16>;
-
-/// Decodes like DecodeSBus, and also the extra channels of Futaba's FASSTest 26, CH17..CH32.
-template <typename Polling>
-class DecodeSBus32Of : public DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame, Polling> {
-  using Decoder = DecodeSBusOf<sbus::Frame16Extra, sbus::ExtraFrame, Polling>;
-
- public:
-  template <typename Other>
-  using PolledBy = DecodeSBus32Of<Other>;  ///< see DecodeSBusOf
-  using Decoder::Decoder;                  ///< see DecodeSBusOf()
-
-  /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: they come in separate frames. Returns true if such
-  /// a frame came within the timeout; otherwise `channels` is unchanged. The flags and switches are those of
-  /// decodeSBusFrame(). Call it at least once an hour.
-  bool decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels) {
-    const typename Decoder::Lock lock(*this);
-    sbus::ExtraFrame &extra = this->_finder.events();
-    uint32_t number;
-    for (;;) {  // a stale frame is remembered by its number, since the clock may wrap; a newer one may come meanwhile
-      number = extra.count();
-      sbus::barrier();
-      if (extra.isForgotten() || channels == nullptr) {
-        return false;
-      }
-      if (!this->_link.isStale(this->_link.ageOf(extra.time()))) {
-        break;
-      }
-      sbus::barrier();
-      if (number == extra.count()) {
-        extra.forget(number);
-      }
-    }
-    do {
-      number = extra.count();
-      sbus::barrier();
-      sbus::unpackExtra(extra.bytes(), channels);
-      sbus::barrier();
-    } while (number != extra.count());
-    return true;
-  }
-};
-
-/// Decodes sixteen channels, two switches, and CH17..CH32.
-using DecodeSBus32 = DecodeSBus32Of<sbus::PolledByLoop>;
 
 /// Decodes the 24 channels of FrSky's ACCESS and TD receivers that are set to "SBUS 24". On a line of 16 channels it
 /// delivers no frame, and counters().otherSizeFrames grows; likewise for a DecodeSBus on a line of 24 channels.

@@ -15,7 +15,7 @@ printf '\nuses: every public function is used by a sketch; keywords\n'
 cd src || exit 1
 functions=$(sed -nE '/@cond/,/@endcond/d; /^ (protected|private):/,/^};/d; /^ *(return|friend|explicit) /d
   s,^ {0\,2}[A-Za-z][A-Za-z0-9_: ]* [*&]?([a-zA-Z]+)\(.*,\1,p' \
-  DecodeSBus.h DecodeSBusBackground.h DecodeSBusTelemetry.h DecodeSBusDiagnosis.h SBus2Sensor.h EncodeSBus.h SBusPort.h SBusUart.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/LinkQuality.h sbus/ReceiverChoice.h sbus/Scaling.h sbus/Trainer.h | sort -u)
+  DecodeSBus.h DecodeSBus32.h DecodeSBusBackground.h DecodeSBusTelemetry.h DecodeSBusDiagnosis.h SBus2Sensor.h EncodeSBus.h SBusPort.h SBusUart.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/LinkQuality.h sbus/ReceiverChoice.h sbus/Scaling.h sbus/Trainer.h | sort -u)
 for name in $functions; do
   if echo "$code" | grep -qE "\b$name\("; then
     echo "ok uses: $name()"

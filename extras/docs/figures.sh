@@ -1,7 +1,8 @@
 #!/bin/sh
 # Keeps the rows of measured.md's tables, which stand between <!-- NAME: begin --> and <!-- NAME: end -->. The page has
 # some of the rows that a command prints; a row is found by its first cell.
-#   figures.sh         prints all tables and writes the page's rows, some minutes; FRAMES=n shortens that
+#   figures.sh         prints all tables and writes the page's rows, and those of receiver.md, some minutes; FRAMES=n
+#                      shortens that
 #   figures.sh check   says "ok ...", "FAILED ..." or "skipped ..." of each that takes seconds: is it up to date?
 # A table is checked only with the compilers that its first line names: others make other code. BUILD is an absolute
 # folder for what is built.
@@ -69,6 +70,7 @@ if [ "${1:-}" = check ]; then
   check impairment 'Fast S.Bus, bursts'
   check_times
   check_pin
+  ../../test/impairment/without.sh current
   exit
 fi
 
@@ -87,4 +89,4 @@ for name in size bench impairment; do
 done
 awk -F ' [|] ' '$4 >= 100' "$out/impairment" | grep '^| ' | grep -vxF -f $page &&
   echo "$page lacks these lines, with 100 wrong frames or more: add them." >&2
-exit 0
+../../test/impairment/without.sh table

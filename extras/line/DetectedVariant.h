@@ -16,7 +16,7 @@ class DetectedVariant {
  public:
   // Takes a frame with its end byte.
   void take(Stretch::Kind kind, uint8_t end) {
-    const uint8_t variant = kind == Stretch::Kind::Frame24 ? sbus::UnknownVariant : sbus::variantOfEnd(end);
+    const uint8_t variant = kind == Stretch::Kind::Frame24 ? sbus::VariantCount : sbus::variantOfEnd(end);
     _extra += kind == Stretch::Kind::Extra;
     if (kind == Stretch::Kind::Frame24 || (kind == Stretch::Kind::Frame && variant != sbus::UnknownVariant)) {
       _frames[variant]++;
@@ -31,14 +31,14 @@ class DetectedVariant {
   // the first frame.
   std::string text() const {
     constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "S.BUS of an R7003SB (end byte 08)", "S.BUS of 24 channels"};
-    static_assert(std::size(Texts) == sbus::UnknownVariant + 1, "a text for each row of LineVariants, and 24 channels");
+    static_assert(std::size(Texts) == sbus::VariantCount + 1, "a text for each row of LineVariants, and 24 channels");
     constexpr uint32_t ByChance = 8;
     const uint32_t most = *std::max_element(_frames.begin(), _frames.end());
     const uint32_t all = frames16() + frames24();
     std::string text;
     for (size_t i = 0; i < _frames.size() && most > 0; i++) {
       if (_frames[i] == most || _frames[i] > ByChance + all / 100) {
-        const bool isExtra = i < sbus::UnknownVariant && _extra > _frames[i] / 2;
+        const bool isExtra = i < sbus::VariantCount && _extra > _frames[i] / 2;
         text += (text.empty() ? "" : " and ") + std::string(isExtra ? "FASSTest 26" : Texts[i]);
       }
     }
@@ -46,7 +46,7 @@ class DetectedVariant {
   }
 
  private:
-  std::array<uint32_t, sbus::UnknownVariant + 1> _frames{};  // by variant; the last have 24 channels
+  std::array<uint32_t, sbus::VariantCount + 1> _frames{};  // by variant; the last have 24 channels
   uint32_t _extra = 0;
 };
 

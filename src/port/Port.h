@@ -83,6 +83,9 @@ class Port : private CoreKind::Pins {
     return read(_hardware, buffer, size, Rank<1>());
   }
 
+  // Returns the time that polls are told by, us.
+  static uint32_t now() { return micros(); }
+
   // Returns the port.
   Stream &stream() { return _stream; }
 

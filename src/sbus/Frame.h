@@ -64,10 +64,11 @@ constexpr LineVariant LineVariants[] = {
     {0x04, 0xCF, 0, AnyHeader},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
     {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
 };
-constexpr uint8_t SlotsVariant = 1;                                               ///< the row with telemetry slots
-constexpr uint8_t TailVariant = 2;                                                ///< the row with slot 0 only
-constexpr uint8_t UnknownVariant = sizeof LineVariants / sizeof LineVariants[0];  ///< no row
-constexpr uint8_t LongestTail = 5;                                                ///< characters
+constexpr uint8_t VariantCount = sizeof LineVariants / sizeof LineVariants[0];  ///< rows
+constexpr uint8_t SlotsVariant = 1;                                             ///< the row with telemetry slots
+constexpr uint8_t TailVariant = 2;                                              ///< the row with slot 0 only
+constexpr uint8_t UnknownVariant = UINT8_MAX;                                   ///< no row
+constexpr uint8_t LongestTail = 5;                                              ///< characters
 
 /// Returns true if frames of this variant, a row of LineVariants, end with this byte.
 constexpr bool endsVariant(uint8_t end, uint8_t variant) {
@@ -83,7 +84,7 @@ constexpr uint8_t variantOfEnd(uint8_t end) {
 
 /// Ends the recursion after the last row.
 template <>
-constexpr uint8_t variantOfEnd<UnknownVariant>(uint8_t) {
+constexpr uint8_t variantOfEnd<VariantCount>(uint8_t) {
   return UnknownVariant;
 }
 
@@ -167,7 +168,7 @@ struct Frame16 {
   using Value = ::SBusFrame;                           ///< what read() writes
   static constexpr uint8_t Size = FrameSize;           ///< bytes, the flags and the end byte last
   static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
-  static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
+  static constexpr uint8_t Variants = VariantCount;  ///< how many rows of LineVariants such lines can have
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
   static constexpr bool HasSlots = true;               ///< telemetry slots may follow: S.BUS2
   static constexpr bool HasExtra = false;              ///< frames with extra channels are accepted

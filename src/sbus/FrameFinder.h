@@ -105,10 +105,10 @@ class FrameFinderOf : private Events {
     const Silence silence = _timing.silenceBefore<Format>(found, asked, now);
     if (silence == Silence::Long) {
       startOver(rules::FirstDistance);
-    } else if (silence >= Silence::Gap) {
+    } else if (isCertain(silence)) {
       gapBefore(silence);
     } else if (silence == Silence::Likely) {
-      likelyGap();
+      _buffer.markGap(Silence::Likely);
     }
     if (_timing.mayHaveFoundTooFew()) {
       checkFound();
@@ -117,29 +117,23 @@ class FrameFinderOf : private Events {
   }
 
   /// Likewise, for a port that tells when the line was idle. `fromCallback`: the port has just handed the bytes over
-  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes
-  /// to read before likelyGap(), or 0.
+  /// and called back. `isIdle`: the line was idle after them; call ended() once they are read.
   ///
   /// The port does not tell where half of its ring ends. There only the time can show a gap, and other work may have
   /// delayed the call. So such a gap is certain only after a frame's number of characters, and is not looked for
   /// between two idle times where a frame is due in time: parts of two frames are a frame period apart.
-  SBUS_IN_LINE int pollIdling(unsigned found, uint32_t now, bool fromCallback, bool isIdle) {
+  SBUS_IN_LINE void pollIdling(unsigned found, uint32_t now, bool fromCallback, bool isIdle) {
     startPoll(found);
     const int all = _buffer.filled() + static_cast<int>(found);
     const bool isWhole = all == Size && isIdle;
-    int before = 0;
     const bool isAfterIdle = _buffer.filled() != 0 && _buffer.gapAt() == _buffer.filled();  // is that gap wide?
     if (!isDue() || (!isWhole && all >= Size) || !isInTime(now) || isAfterIdle) {
-      before = likelyGapAt(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
+      lookForGap(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
     }
     _timing.take(now);
     _unread = 0;
     _sizeCheck.characters(found);
-    return before;
   }
-
-  /// The line may have been silent after the last byte.
-  void likelyGap() { _buffer.markGap(Silence::Likely); }
 
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
   const uint8_t *idle(uint32_t now) {
@@ -247,7 +241,7 @@ class FrameFinderOf : private Events {
   void gapBefore(Silence gap) {
     const int filled = _buffer.filled();
     Events::gap(filled);
-    if (gap == Silence::Wide && filled != 0 && filled < Size && _buffer.isHeader(0)) {
+    if (isWide(gap) && filled != 0 && filled < Size && _buffer.isHeader(0)) {
       uint8_t *const beginning = _buffer.bytes();
       countUp(_counters.rejectedByLength);
       Events::rejected(0, Rejection::GapInside);
@@ -270,25 +264,25 @@ class FrameFinderOf : private Events {
     return _timing.silence(found - _unread, handedOver, _unread != 0 ? _timing.lastPoll() : _timing.lastBytes());
   }
 
-  // Takes a silence that the times show before these bytes. Returns how many bytes wait before it, if it may be a gap:
-  // see pollIdling().
-  int likelyGapAt(uint32_t silence, bool isWhole) {
+  // Takes a silence that the times show before the bytes that were not there at the last call.
+  void lookForGap(uint32_t silence, bool isWhole) {
     const int filled = _buffer.filled();
     const bool mayStop = isWhole && (_buffer.gapAt() == 0 || isDue());
     const bool isLikely = silence > (mayStop ? LineTiming::LongestStop : _timing.shortestGap());
-    if (_unread != 0) {
-      return isLikely ? _unread : 0;
+    if (_unread == 0) {
+      if (silence >= LineTiming::LongSilence) {
+        startOver(rules::FirstDistance);
+        return;
+      }
+      if (silence > _timing.shortestGap() && (_buffer.gapAt() == filled || _sizeCheck.isFrame() ||
+                                              (filled == Size && (isDue() || _buffer.beginsWide())))) {
+        gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
+        return;
+      }
     }
-    if (silence >= LineTiming::LongSilence) {
-      startOver(rules::FirstDistance);
-    } else if (silence > _timing.shortestGap() &&
-               (_buffer.gapAt() == filled || _sizeCheck.isFrame() ||
-                (filled == Size && (isDue() || _buffer.beginsWide())))) {
-      gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
-    } else if (isLikely) {
-      likelyGap();
+    if (isLikely) {
+      _buffer.markGap(Silence::Likely, static_cast<uint8_t>(filled + _unread));
     }
-    return 0;
   }
 
   // While interrupts are off, a UART keeps a few characters and loses the others. If the line goes on at the same place
@@ -357,7 +351,7 @@ class FrameFinderOf : private Events {
     while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
       // A sensor's answer: the next frame is expected after it, and after a gap where the answer lacks a character. So
       // it is after a break, if an answer or a gap follows.
-      const int untilGap = _buffer.gap() >= Silence::Gap ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
+      const int untilGap = isCertain(_buffer.gap()) ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
       int size = SlotSize;
       if (rules::isBreak(_buffer[0])) {
         if (_buffer.filled() < 2) {
@@ -416,7 +410,7 @@ class FrameFinderOf : private Events {
   // Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
   void noteEnd(int waiting) {
     const int following = _buffer.filled() - Size;
-    if (following >= 0 && static_cast<unsigned>(following + waiting) < _found) {
+    if (following >= 0 && following + waiting < static_cast<int>(_found)) {
       _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
       _completeBy = _timing.lastPoll();
     }
@@ -499,7 +493,7 @@ class FrameFinderOf : private Events {
 
   static uint8_t variantOf(uint8_t end) {
     const uint8_t variant = variantOfEnd(end);
-    return Format::Variants == UnknownVariant || variant < Format::Variants ? variant : UnknownVariant;
+    return Format::Variants == VariantCount || variant < Format::Variants ? variant : UnknownVariant;
   }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.

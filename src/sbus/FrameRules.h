@@ -71,7 +71,7 @@ struct Candidate {
   /// Returns true if a gap follows it, or cuts its tail short.
   SBUS_IN_LINE bool isGapAfter() const { return isGapCertain() && gapAt >= Format::Size && gapAt <= size(); }
   SBUS_IN_LINE bool isGapBefore() const { return isGapCertain() && gapAt == 0; }  ///< a gap comes before it
-  SBUS_IN_LINE bool isGapCertain() const { return gap >= Silence::Gap; }  ///< otherwise loop() may have been blocked
+  SBUS_IN_LINE bool isGapCertain() const { return isCertain(gap); }  ///< otherwise loop() may have been blocked
 };
 
 /// The rules, a function each: without a rule its function always returns what test/impairment/RULES says. All but
@@ -97,7 +97,7 @@ SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
 /// no gap inside is wide. Parts of two frames that fit together are a frame period apart.
 template <typename Format>
 SBUS_IN_LINE bool mayBeStretched(const Candidate<Format> &c) {
-  return c.isPlaced && c.inside < Silence::Wide && (c.gap < Silence::Wide || c.gapAt >= Format::Size);
+  return c.isPlaced && !isWide(c.inside) && (!isWide(c.gap) || c.gapAt >= Format::Size);
 }
 
 /// Returns true if a header follows it; 2F counts on lines with such frames (needed where the gap before is not

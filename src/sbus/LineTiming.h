@@ -13,14 +13,25 @@ constexpr unsigned long SlowestBaud = 47059;
 /// The longest silence, in characters, that a port waits for before it hands over less than a burst: the RP2040's.
 constexpr uint8_t MostIdleCharacters = 4;
 
-/// What the timestamp of a poll says about the idle time before its bytes.
+/// A silence before a byte, or after one: how certain it is, and how long. Ask isCertain() for the one, isWide() for the
+/// other.
 enum class Silence : uint8_t {
-  Unknown,  ///< perhaps a gap
-  Likely,   ///< a gap, unless loop() was blocked
-  Gap,      ///< certainly silence: between two frames, or within one that its sender stretches
-  Wide,     ///< certainly longer than a sender is silent within a frame: between two frames
-  Long,     ///< longer than any frame period: the next character may be anywhere in a frame
+  Unknown,  ///< perhaps none
+  Likely,   ///< doubtful: a gap, unless loop() was blocked
+  Gap,      ///< certain: between two frames, or within one that its sender stretches
+  Wide,     ///< certain, and longer than a sender is silent within a frame: between two frames
+  Long,     ///< certain, and longer than any frame period: the next character may be anywhere in a frame
 };
+
+/// Returns true if the line was certainly silent.
+constexpr bool isCertain(Silence silence) {
+  return silence >= Silence::Gap;
+}
+
+/// Returns true if it was certainly silent for longer than a sender is within a frame.
+constexpr bool isWide(Silence silence) {
+  return silence >= Silence::Wide;
+}
 
 /// Ports hand bytes over late and in bursts: the Grasshopper's after 16 bytes, or when the line was idle for one
 /// character. So the first byte that a poll finds began at most one burst before the last empty poll, and the previous
@@ -78,7 +89,7 @@ class LineTiming {
     if (silence <= burstTime<Format>(found)) {
       return Silence::Unknown;
     }
-    return isLong(silence) ? Silence::Long : isWide(silence, found) ? Silence::Wide : Silence::Gap;
+    return isLong(silence) ? Silence::Long : endsFrame(silence, found) ? Silence::Wide : Silence::Gap;
   }
 
   /// Takes the time of a poll that found bytes, of a port that tells itself when the line was idle.
@@ -149,7 +160,7 @@ class LineTiming {
   Silence silenceAfter() const {
     const unsigned silence = capped(_lastPoll - _lastBytes);
     return silence <= burstTime<Format>(LongestBurst) ? Silence::Unknown
-           : isWide(silence, LongestBurst)            ? Silence::Wide
+           : endsFrame(silence, LongestBurst)         ? Silence::Wide
                                                       : Silence::Gap;
   }
 
@@ -178,7 +189,7 @@ class LineTiming {
   }
 
   // Returns true if no sender is silent for so long within a frame.
-  bool isWide(unsigned silence, unsigned found) const {
+  bool endsFrame(unsigned silence, unsigned found) const {
     return silence > (burst(found) * MostStretched + _idleCharacters) * _characterTime + LongestStop;
   }
 

@@ -16,7 +16,7 @@
 #include "support/UartPort.h"
 #include "line/recording/RecordingReader.h"
 
-#include <DecodeSBus.h>
+#include <DecodeSBus32.h>
 
 namespace {
 

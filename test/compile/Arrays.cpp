@@ -13,6 +13,7 @@
 // 12 DecodeSBusOf<.* is an inaccessible base of .*SBus2Sensor
 // 13 no member named .*decodeExtraChannels
 // 14 Write DecodeSBus dSBus(Serial1), without the &
+#include <DecodeSBus32.h>
 #include <EncodeSBus.h>
 #include <SBus2Sensor.h>
 #include <sbus/Calibrator.h>

@@ -9,7 +9,7 @@
 #include "support/BitByBit.h"
 #include "support/PaperDecoder.h"
 
-#include <DecodeSBus.h>
+#include <DecodeSBus32.h>
 
 // newFrame(): since the last call, and so newExtra(). Judged are the frames, not the link: failsafe is
 // then the frame's own, and one that waited while loop() was blocked for longer than the timeout is still read.

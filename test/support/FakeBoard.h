@@ -6,7 +6,7 @@
 #include "FakeSerial.h"
 #include "KnownFrames.h"
 
-#include <DecodeSBus.h>
+#include <DecodeSBus32.h>
 
 constexpr uint64_t Ms = 1000;  // us
 

@@ -30,7 +30,6 @@ class FakeSerial : public HardwareSerial {
   unsigned overasked = 0;  // read() of more than was available
 
   std::function<void()> beforeRead = [] {};  // what comes in while a sketch reads
-  bool readFails = false;                    // -1, as no core should answer
 
   // What comes in between the two times that the board's core reads its count, if it is asked for more than is there.
   // The core then writes up to 12 bytes more than it was asked for, past the end of the buffer.
@@ -52,6 +51,7 @@ class FakeSerial : public HardwareSerial {
   void begin(unsigned long baud, uint32_t config) override {
     openings.push_back({baud, config});
     _isOpen = true;
+    _waiting.clear();  // stm32l0_uart.c:846
   }
   void end() override {
     closings++;
@@ -70,9 +70,6 @@ class FakeSerial : public HardwareSerial {
   void onReceive(void (*)()) {}  // the board's Uart has it
   int read(uint8_t *buffer, size_t size) override {
     beforeRead();
-    if (readFails) {
-      return -1;
-    }
     size_t most = size;
     if (size > _waiting.size()) {
       overasked++;

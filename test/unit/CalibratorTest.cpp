@@ -425,6 +425,25 @@ TEST_CASE("a channel is held after 64 frames within 32 counts; two wrong frames 
   }
 }
 
+TEST_CASE("a wrong frame cancels eight good ones, and the first nine good ones hold a place that it does not change") {
+  const struct {
+    int before, after;  // good frames, until the channel is held
+  } rows[] = {{8, 64}, {9, 63}, {10, 62}, {12, 60}, {13, 59}, {71, 1}, {72, 0}};
+  for (const auto &row : rows) {
+    CAPTURE(row.before);
+    Radio radio({172, 1811}, {992, 992});
+    radio.calibrator.high();
+    radio.stay(1800, row.before);
+    radio.stay(0, 1);
+    if (row.after != 0) {
+      radio.stay(1800, row.after - 1);
+      CHECK(radio.error() == CalibrationError::NotHeld);
+      radio.stay(1800, 1);
+    }
+    CHECK(radio.error() == CalibrationError::None);
+  }
+}
+
 TEST_CASE("finish() names the first bad required channel, or stores all good channels and leaves the others empty") {
   const struct {
     unsigned good, required;

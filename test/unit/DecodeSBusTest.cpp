@@ -235,68 +235,6 @@ TEST_CASE("a Stream that is no hardware serial port is not opened, and is read b
   CHECK(port.singleReads == 250);
 }
 
-TEST_CASE("a read that fails although bytes wait ends the poll") {
-  OpenBoard board;
-  board.port.readFails = true;
-  board.take(Bytes(40, 0xA5));
-  CHECK(board.sbus.counters().frames == 0);
-}
-
-TEST_CASE("a loop() that is stopped once the port has answered makes no frame too young") {
-  struct Stopped : FakeSerial {
-    using FakeSerial::FakeSerial;
-    Bytes rest;  // comes after the answer, and then loop() is stopped
-    uint64_t endedUs = 0;
-    int available() override {
-      const int waiting = FakeSerial::available();
-      if (!rest.empty()) {
-        fakeMicros += rest.size() * 120;
-        arrive(rest);
-        rest.clear();
-        endedUs = fakeMicros;
-        fakeMicros += 6000;
-      }
-      return waiting;
-    }
-  };
-  Stopped port(64);
-  DecodeSBus sbus(port);
-  sbus.begin();
-  const auto poll = [&](unsigned times) {
-    for (unsigned i = 0; i < times; i++) {
-      fakeMicros += 50;
-      sbus.parseSBusFrame();
-    }
-  };
-  for (unsigned number = 0; number < 3; number++) {
-    fakeMicros += 3000;
-    port.arrive(bytesOf(plainFrame(number)));
-    poll(120);
-  }
-  const Frame frame = plainFrame(3);
-  fakeMicros += 1920;
-  port.arrive(part(frame, 0, 16));
-  port.rest = part(frame, 16);
-  poll(2);
-  CHECK(sbus.counters().frames == 4);
-  CHECK(sbus.frameAge() * 1000 + 999 >= fakeMicros - port.endedUs);
-}
-
-TEST_CASE("what waits when begin() is called is of an unknown age, and is no frame") {
-  FakeSerial port(64);
-  port.begin(100000, 0);
-  DecodeSBus sbus(port);
-  port.arrive(bytesOf(plainFrame(1)) + bytesOf(plainFrame(2)));
-  fakeMicros += 5000000;
-  sbus.begin();
-  for (unsigned i = 0; i < 100; i++) {
-    sbus.parseSBusFrame();
-    fakeMicros += 50;
-  }
-  CHECK(sbus.counters().frames == 0);
-  CHECK(sbus.frameAge() == ULONG_MAX);
-}
-
 TEST_CASE("an interrupt before the port is asked, while characters come, costs no frame and makes none wrong") {
   // Any Stream; each `available()` may be held up by an interrupt, in which the clock and the line go on.
   struct Delayed : Stream {

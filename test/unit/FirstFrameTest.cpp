@@ -53,6 +53,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("after begin(), and after 50 ms of silence, a frame after other characters, without a gap, is not the first") {
+  for (const bool isSilent : {false, true}) {
+    for (const size_t noise : {0u, 1u, 4u, 10u, 22u}) {
+      INFO("isSilent ", isSilent, ", noise ", noise);
+      Feeder line;
+      if (isSilent) {
+        line.settle().feed(Bytes(40, 0x55));
+        line.wait(60000);
+      }
+      line.feed(Bytes(noise, 0x55));
+      CHECK(line.feed(Low).empty());
+      CHECK(line.feed({0x0F}).size() == (noise == 0 ? 1 : 0));
+    }
+  }
+}
+
 TEST_CASE("a failsafe frame that is not aligned comes once the line is silent behind it") {
   const Bytes failsafe = bytesOf(FailsafeFrame);
   Feeder line;

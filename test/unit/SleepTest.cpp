@@ -159,6 +159,20 @@ TEST_CASE("the first frame after 50 ms of sleep may be of before it, or of two: 
   }
 }
 
+TEST_CASE("millis() adds to an age only what it gains on micros() beyond its own ticks, 2 ms") {
+  const struct {
+    uint32_t ms, us, ageUs;  // since the frame, by each clock
+  } rows[] = {{0, 0, 0},       {1, 0, 0},          {2, 0, 0},           {3, 0, 1000},       {2, 700, 700},
+              {3, 1000, 1000}, {52, 50000, 50000}, {53, 50000, 51000}, {60, 10000, 58000}, {0, 1900, 1900}};
+  for (const auto &row : rows) {
+    INFO(row.ms, " ms, ", row.us, " us");
+    sbus::SleepClock clock;
+    clock.reset();
+    clock.frame(5000, 5);
+    CHECK(clock.age(5000, 5000 + row.us, 5 + row.ms) == row.ageUs);
+  }
+}
+
 TEST_CASE("on a board that is awake, millis() changes no age, whatever its ticks, at any time of both clocks") {
   for (const uint64_t start : {2 * Second, MicrosWrap - 50 * Ms, MillisWrap - 50 * Ms, MillisWrap - 120 * Ms}) {
     for (const unsigned long baud : {100000ul, 200000ul}) {

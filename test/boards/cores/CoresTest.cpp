@@ -126,6 +126,22 @@ TEST_CASE("nothing is delivered from a line of the other polarity") {
   }
 }
 
+TEST_CASE("what waits when begin() is called is of an unknown age, and is no frame, whether or not the core keeps it") {
+  switchOn();
+  DecodeSBus dSBus(SBUS_PORT);
+  dSBus.begin();
+  putOnLine(2, 100000, Core.inverts, 9000);
+  world.pass(1000000);
+  CHECK(SBUS_PORT.available() > 0);
+  dSBus.begin();
+  for (unsigned i = 0; i < 100; i++) {
+    dSBus.parseSBusFrame();
+    world.pass(50);
+  }
+  CHECK(dSBus.counters().frames == 0);
+  CHECK(dSBus.frameAge() == ULONG_MAX);
+}
+
 TEST_CASE("with a loop() blocked for up to 100 ms no frame is wrong, and only frames that do not fit the port are lost") {
   constexpr unsigned Frames = 150;
   for (const unsigned periodUs : {7000u, 9000u, 14000u}) {

@@ -1,6 +1,7 @@
 // The interrupt that polls comes while loop() is within a method of DecodeSBusBackground: each is interrupted after
 // each of its instructions (support/SingleStep.h), and no frame is lost, none is wrong, and counters() are of one
 // moment.
+#include <DecodeSBus32.h>
 #include <DecodeSBusBackground.h>
 #include <doctest/doctest.h>
 

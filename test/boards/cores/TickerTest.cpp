@@ -2,6 +2,7 @@
 // who waits for whom.
 #include "BackgroundSketch.h"
 #if defined(CORE_TEENSY)
+#include <DecodeSBus32.h>
 #include <IntervalTimer.h>
 #endif
 

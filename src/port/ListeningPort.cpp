@@ -1,4 +1,4 @@
-#include "Listener.h"
+#include "ListeningPort.h"
 
 #if defined(SBUS_STM32L0)
 
