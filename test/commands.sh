@@ -74,7 +74,7 @@ small() {
   find test/recordings/*.txt ! -name paper.txt -delete
   find test/golden/*.csv ! -name 'DecodeSBus*' ! -name README.csv ! -name receivers.csv -delete
   find examples -mindepth 1 -maxdepth 1 ! -name DecodeSBus -exec rm -r {} +
-  find extras/docs/*.md ! -name receivers.md ! -name receiver.md ! -name measured.md ! -name maintaining.md -delete
+  find extras/docs/*.md ! -name receivers.md ! -name receiver.md ! -name rules.md ! -name measured.md ! -name maintaining.md -delete
   sed -i '/^DecodeSBus /!d' test/golden/LINES
 }
 

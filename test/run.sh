@@ -32,7 +32,7 @@ all  examples-sanitized examples, clang++ with sanitizers
 all  sketches-sanitized sketches in the style of forums
 test lines-300        impaired lines against their bounds
 all  compile          headers alone, the cross compiler
-both rules            the rules of receiver.md
+both rules            the rules of rules.md
 all  package          the ZIP, and a release
 all  platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
 all  setup            what is said where packages are missing

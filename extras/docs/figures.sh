@@ -1,7 +1,7 @@
 #!/bin/sh
 # Keeps the rows of measured.md's tables, which stand between <!-- NAME: begin --> and <!-- NAME: end -->. The page has
 # some of the rows that a command prints; a row is found by its first cell.
-#   figures.sh         prints all tables and writes the page's rows, and those of receiver.md, some minutes; FRAMES=n
+#   figures.sh         prints all tables and writes the page's rows, and those of rules.md, some minutes; FRAMES=n
 #                      shortens that
 #   figures.sh check   says "ok ...", "FAILED ..." or "skipped ..." of each that takes seconds: is it up to date?
 # A table is checked only with the compilers that its first line names: others make other code. BUILD is an absolute

@@ -58,7 +58,7 @@ struct NoEvents {
 /// - they end there: a gap or a header follows, or frames of this line end in this way.
 ///
 /// After a rejection the search goes on from the second character. FrameRules.h has the rules, and
-/// extras/docs/receiver.md says what each is worth.
+/// extras/docs/rules.md says what each is worth.
 ///
 /// `Format` is Frame16, Frame16Extra with 2F frames between, or Frame24 with 36 bytes. `Events` learns what becomes of
 /// each byte.

@@ -1,5 +1,5 @@
 /// @file
-/// Decides whether 25 characters are a frame, with one function for each rule. extras/docs/receiver.md says what each
+/// Decides whether 25 characters are a frame, with one function for each rule. extras/docs/rules.md says what each
 /// rule is worth.
 #pragma once
 

@@ -2,16 +2,16 @@
 # Compiles a copy of the library without a rule, and prints what that costs: the lines of the impairment bench as they are, and
 # without it. Each rule is a function: in the copy it returns at once what RULES says.
 #   without.sh NAME     a rule of RULES; another name prints them all
-#   without.sh table    measures all of them, some minutes, and writes the last two columns of receiver.md's table
+#   without.sh table    measures all of them, some minutes, and writes the last two columns of rules.md's table
 #   without.sh current  says "ok ..." or "FAILED ..." of each rule: is the column "missed, wrong" as the bench has it now?
 #   without.sh check    says "ok ..." or "FAILED ..." of each rule: is it one function, does the core compile without it, and
-#                       has extras/docs/receiver.md a row for it?
+#                       has extras/docs/rules.md a row for it?
 # BUILD: an absolute folder for what is built. FRAMES, SEED and ONLY as for `make impairment`.
 set -u
 cd "$(dirname "$0")" || exit 1
 tab=$(printf '\t')
 
-page=../../extras/docs/receiver.md
+page=../../extras/docs/rules.md
 plain=$BUILD/plain
 
 rules=$(grep -v '^#' RULES | cut -f1)
@@ -54,7 +54,7 @@ if [ "$1" = check ]; then
       g++ -std=gnu++11 -I"$BUILD/without/$rule/src" -include sbus/FrameFinder.h -fsyntax-only -x c++ -; then
       echo "FAILED impairment/RULES: the core does not compile without $rule"
     elif [ -z "$(column "$rule" 4)" ]; then echo "FAILED impairment/RULES: no line shows what the rule $rule is worth"
-    elif ! grep -q "| \`$rule\` |" "$page"; then echo "FAILED receiver.md: no row for the rule $rule"
+    elif ! grep -q "| \`$rule\` |" "$page"; then echo "FAILED rules.md: no row for the rule $rule"
     else echo "ok impairment/RULES: $rule"; fi
   done
 elif [ "$1" = table ]; then
@@ -70,8 +70,8 @@ elif [ "$1" = current ]; then
   bench || exit 1
   for rule in $rules; do
     with=$(sums "$plain/impairment/Impairment" "$rule")
-    if grep -q "| \`$rule\` | [^|]* | $with | [^|]* |\$" "$page"; then echo "ok receiver.md: $rule"
-    else echo "FAILED receiver.md: the rule $rule: now $with: test/impairment/without.sh table"; fi
+    if grep -q "| \`$rule\` | [^|]* | $with | [^|]* |\$" "$page"; then echo "ok rules.md: $rule"
+    else echo "FAILED rules.md: the rule $rule: now $with: test/impairment/without.sh table"; fi
   done
 elif echo "$rules" | grep -qx "$1"; then
   bench && bench_without "$1" || exit 1
