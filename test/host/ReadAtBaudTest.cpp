@@ -54,7 +54,7 @@ TEST_CASE("S.Bus read at 115200 and 57600 baud is recognised; at other rates, an
   }
   CHECK(readAt("sim:sbus2", 115200) == 0);  // telemetry comes between
   CHECK(readAt("sim:32", 115200) == 0);  // header 2F comes between
-  for (const unsigned long baud : {100000, 200000, 38400, 76800, 230400}) {
+  for (const unsigned long baud : {100000ul, 200000ul, 38400ul, 76800ul, 230400ul}) {
     CAPTURE(baud);
     CHECK(readAt("sim", baud) == 0);
   }
