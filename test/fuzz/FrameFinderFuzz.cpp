@@ -54,7 +54,6 @@ class Sketch {
   void lose(size_t count) {
     _waiting.resize(_waiting.size() - std::min(count, _waiting.size()));
     _waitingNotBy.resize(_waiting.size());
-    _hasLost = true;
   }
 
   void pass(uint32_t us) { _now += us; }
@@ -82,29 +81,21 @@ class Sketch {
       check(nullptr);
       return;
     }
-    size_t split = 0;
     if (hasIdle()) {
-      const int first = _finder.pollIdling(found, _now, fromCallback, isIdle);
-      require(_hasLost || (first >= 0 && first <= static_cast<int>(found)), "no more is read than waits");
-      split = std::min(static_cast<size_t>(first), _waiting.size());
-      _hasLost = false;
+      _finder.pollIdling(found, _now, fromCallback, isIdle);
     } else {
       _finder.poll(found, _now);
     }
     for (size_t at = 0; at < _waiting.size();) {
       const size_t room = static_cast<size_t>(_finder.room());
       require(room >= 1 && room <= _roomAtStart, "room() is never 0, and never more than at the start");
-      const size_t count = std::min(split != 0 ? split : _waiting.size() - at, room);
+      const size_t count = std::min(_waiting.size() - at, room);
       const uint8_t *const bytes = _waiting.data() + at;
       std::memcpy(_finder.space(), bytes, count);
       _fed.insert(_fed.end(), bytes, bytes + count);
       _notBy.insert(_notBy.end(), _waitingNotBy.data() + at, _waitingNotBy.data() + at + count);
       at += count;
       check(_finder.received(static_cast<int>(count), static_cast<int>(_waiting.size() - at)));
-      if (split != 0 || (isAny() && (choice & 8) != 0)) {
-        _finder.likelyGap();
-        split = 0;
-      }
     }
     _waiting.clear();
     _waitingNotBy.clear();
@@ -169,7 +160,6 @@ class Sketch {
   uint32_t _call = 0;  // the time of the newest call
   unsigned _ring = 0;  // bytes that have come
   std::vector<uint8_t> _waiting;
-  bool _hasLost = false;  // some of those that wait
   std::vector<uint32_t> _waitingNotBy;  // for each, the time of the last call that did not find it
   std::vector<uint8_t> _fed;            // since the last break
   std::vector<uint32_t> _notBy;         // likewise

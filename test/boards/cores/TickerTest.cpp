@@ -1,8 +1,8 @@
 // The timer, alarm or task of one core, CORE, that polls for DecodeSBusBackground: whom it polls, when it is free, and
 // who waits for whom.
 #include "BackgroundSketch.h"
-#if defined(CORE_TEENSY)
 #include <DecodeSBus32.h>
+#if defined(CORE_TEENSY)
 #include <IntervalTimer.h>
 #endif
 

@@ -183,7 +183,7 @@ $(OUT)/$1/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	$(CXX) $$($1_board) -O1 $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/README.o: $(OUT)/README.cpp
 	@mkdir -p $$(@D)
-	$(call with_its_ports,$1) $$< | $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
+	$(call with_its_ports,$1) $$< | $(CXX) $$($1_board) $(if $(filter esp8266,$1),-DSBUS_MAY_TAKE_USB) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
 $(OUT)/$1/on%Pins.o: $(ROOT)/examples/Diagnose/Diagnose.ino $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	(echo '#define SBUS_UART SBUS_PORT$$(if $$(filter Given,$$*),$$(comma) PINS_GIVEN)'; echo '#include <DecodeSBus.h>'; \

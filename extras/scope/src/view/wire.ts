@@ -136,12 +136,14 @@ export class WireView {
   private follow(): void {
     const { frame, widthUs } = this;
     this.followed = frame?.endUs ?? this.source?.positionUs ?? 0;
-    const { beginUs, endUs } = frame ?? { beginUs: -Infinity, endUs: this.followed };
-    const marginUs = frame ? margin * (endUs - beginUs) : 0;
-    this.fromUs = this.within(Math.max(beginUs - marginUs, endUs + marginUs - widthUs) || 0);
-    if (widthUs < endUs - beginUs) {
-      this.fromUs = beginUs - marginUs;
+    if (!frame) {
+      this.fromUs = this.within(this.followed - widthUs);
+      return;
     }
+    const { beginUs, endUs } = frame;
+    const marginUs = margin * (endUs - beginUs);
+    const fits = widthUs >= endUs - beginUs;
+    this.fromUs = fits ? this.within(Math.max(beginUs - marginUs, endUs + marginUs - widthUs)) : beginUs - marginUs;
   }
 
   // Returns what is at the pointer, or in the middle.
