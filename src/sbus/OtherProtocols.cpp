@@ -78,7 +78,8 @@ void OtherProtocols::takeChecked() {
     const uint8_t first = _bytes[place];
     if (second == size - 2 && second >= 2 && (first == 0xC8 || first == 0xEE || first == 0xEA) && endsCrsf(size)) {
       take(1, Finding::Crsf, size);
-    } else if (first == 0xA8 && (second == 0x01 || second == 0x81) && third >= 2 && 2 * third + 5 == size && endsSumd(size)) {
+    } else if (first == 0xA8 && (second == 0x01 || second == 0x81) && third >= 2 && 2 * third + 5 == size &&
+               endsSumd(size)) {
       take(2, Finding::Sumd, size);
     }
     third = second;
