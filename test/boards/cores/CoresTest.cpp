@@ -262,6 +262,10 @@ TEST_CASE("a character with an error: on a core that discards it the frame is mi
 TEST_CASE("README.md's ten lines print the throttle of every frame, and 0 before the first") {
   constexpr unsigned Frames = 60;
   switchOn();
+#if defined(PINS_GIVEN)
+  constexpr int Given[] = {PINS_GIVEN};
+  world.pin = Given[0];  // as src/SBusUart.h has it
+#endif
   setup();
   putOnLine(Frames, 100000, Core.inverts, 9000);
   while (world.nowUs < world.line.back().endUs + 10000) {
