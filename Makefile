@@ -3,7 +3,7 @@
 
 .DEFAULT_GOAL := help
 
-work := help demo sbus install uninstall scope test test-all impairment fuzz size bench figures docs clean
+work := help demo sbus install uninstall scope test test-all impairment fuzz size bench figures docs format clean
 .PHONY: $(work) zip dist release
 zip:
 	@sh extras/setup/zip.sh
@@ -88,7 +88,7 @@ test:
 	@$(MAKE) --no-print-directory $(jobs) -C test
 
 test-all:
-	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) 'clang-format-14?' cmake python3-yaml python3-markdown-it $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory $(jobs) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:
@@ -116,6 +116,10 @@ docs:
 	@rm -rf build/docs && mkdir -p build/docs
 	@doxygen extras/docs/Doxyfile
 	@echo build/docs/html/index.html
+
+format:
+	@sh extras/setup/packages.sh 'clang-format-14?'
+	@extras/setup/format.sh
 
 clean:
 	rm -rf build/* build dist

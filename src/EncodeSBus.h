@@ -89,9 +89,7 @@ class EncodeSBusOf {
   /// Sends `frame` likewise: an SBusFrame, or an SBusFrame24 with EncodeSBus24. Until DecodeSBus::read() has returned
   /// true, its channels are 0, below every make's low: send nothing then, because S.Bus servos ignore the flags. In a
   /// frame that you fill yourself, set both flags: they begin as true.
-  bool write(const typename Format::Value &frame) {
-    return write(frame.channels, frame.failsafe, frame.lostFrame);
-  }
+  bool write(const typename Format::Value &frame) { return write(frame.channels, frame.failsafe, frame.lostFrame); }
 
  private:
   sbus::Port _port;

@@ -59,9 +59,9 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
 
  public:
   using Decoder::ChannelArray;     ///< see DecodeSBusOf
-  using Decoder::Frame;            ///< see DecodeSBusOf
   using Decoder::counters;         ///< see DecodeSBusOf
   using Decoder::decodeSBusFrame;  ///< see DecodeSBusOf
+  using Decoder::Frame;            ///< see DecodeSBusOf
   using Decoder::frameAge;         ///< see DecodeSBusOf
   using Decoder::linkState;        ///< see DecodeSBusOf
   using Decoder::newFrame;         ///< see DecodeSBusOf
@@ -74,10 +74,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   /// See DecodeSBusOf().
   template <typename Port>
   explicit SBus2Sensor(Port &port)
-      : Decoder(port),
-        _stream(port),
-        _start(start<Port>),
-        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {
+      : Decoder(port), _stream(port), _start(start<Port>), _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {
     static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
   }
 

@@ -8,7 +8,8 @@
 #include "port/PortKind.h"
 
 #if !defined(SBUS_PIN)
-#error "SBusPin needs an ATmega328P, 168, 1280, 2560 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
+#error \
+    "SBusPin needs an ATmega328P, 168, 1280, 2560 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
 #else
 
 /// A port that receives an S.Bus line on a pin: Uno R3, Nano, Pro Mini 7; Mega 5; ATmega1284P 3 (PB3).
@@ -39,8 +40,8 @@ class SBusPin : public Stream {
   /// Closes the pin, and gives timer and comparator back as they were.
   void end();
 
-  /// Returns how many characters wait; 1 if some were lost before these. Call it at least every 5 ms: 255 edges are held,
-  /// two frames or less.
+  /// Returns how many characters wait; 1 if some were lost before these. Call it at least every 5 ms: 255 edges are
+  /// held, two frames or less.
   int available() override;
   /// Returns and removes the oldest character that waits. Returns -1 if there is none, and once after each loss.
   int read() override;

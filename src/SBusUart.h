@@ -34,8 +34,8 @@
 #include "port/Core.h"
 
 #if !defined(SBUS_UART)
-#if defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || \
-    defined(ARDUINO_ARCH_CH32V) || defined(ARDUINO_ARCH_CH32)
+#if defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || defined(ARDUINO_ARCH_CH32V) || \
+    defined(ARDUINO_ARCH_CH32)
 #error "DecodeSBus: this board's core cannot receive S.Bus. Choose a board of the first table in extras/docs/boards.md"
 #define SBUS_UART Serial1
 

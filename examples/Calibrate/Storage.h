@@ -23,16 +23,14 @@ auto readFlash(Eeprom &eeprom, int) -> decltype(eeprom.begin(256), void()) {
   eeprom.begin(256);  // bytes: older arduino-picos write past the end of other sizes
 }
 template <typename Eeprom>
-void readFlash(Eeprom &, long) {
-}
+void readFlash(Eeprom &, long) {}
 template <typename Eeprom>
 auto writeFlash(Eeprom &eeprom, int) -> decltype(eeprom.commit(), void()) {
   eeprom.commit();
   eeprom.end();
 }
 template <typename Eeprom>
-void writeFlash(Eeprom &, long) {
-}
+void writeFlash(Eeprom &, long) {}
 
 // Reads the stored value. The value itself must show whether anything was stored.
 template <typename Eeprom, typename Value>

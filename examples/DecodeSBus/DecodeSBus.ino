@@ -29,9 +29,7 @@ elapsedMillis timerDisplay;
 
 // As in the paper: the core calls this after every loop() while bytes wait on Serial1. Other cores read here, or in
 // loop(); on the Grasshopper the port has already called the library when the bytes came.
-void serialEvent1() {
-  dSBus.parseSBusFrame();
-}
+void serialEvent1() { dSBus.parseSBusFrame(); }
 
 void setup() {
   Serial.begin(115200);

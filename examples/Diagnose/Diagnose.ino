@@ -67,9 +67,7 @@ void tell() {
   }
 }
 
-void setup() {
-  Serial.begin(115200);
-}
+void setup() { Serial.begin(115200); }
 
 void loop() {
   static uint8_t next = 0;

@@ -30,9 +30,7 @@ UsbJoystick joystick;
 elapsedMillis timerReport;
 
 // Thousandths of the travel of CH1..CH16; for Futaba write sbus::Futaba.
-int16_t part(uint16_t raw) {
-  return sbus::limited(sbus::toNormalized(raw, sbus::FrSky), -1000, 1000);
-}
+int16_t part(uint16_t raw) { return sbus::limited(sbus::toNormalized(raw, sbus::FrSky), -1000, 1000); }
 
 void setup() {
   Serial.begin(115200);

@@ -115,9 +115,7 @@ class UsbJoystick {
 
  private:
 #if defined(ARDUINO_ARCH_RP2040)
-  static int scaled(int16_t value) {
-    return value * 32767 / 1000;
-  }
+  static int scaled(int16_t value) { return value * 32767 / 1000; }
 #else
   static unsigned scaled(int16_t value) {
     return value == 1000 ? 1023 : static_cast<unsigned>(512 + value * 512 / 1000);

@@ -22,7 +22,7 @@ DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extr
 #if defined(LED_BUILTIN)
 const uint8_t LED = LED_BUILTIN;
 #else
-const uint8_t LED = 2;  // on most ESP32 boards
+const uint8_t LED = 2;          // on most ESP32 boards
 #endif
 #if defined(ESP8266)
 const bool LIT_BY_HIGH = false;  // most boards with an ESP8266 have the LED between 3.3 V and the pin

@@ -65,8 +65,8 @@ class Ppm {
 
   int16_t _set[2][Channels];
   int16_t _sent[Channels];
-  int16_t _left = 0;  // us of the frame
-  uint8_t _at = 0;    // part of the frame
+  int16_t _left = 0;             // us of the frame
+  uint8_t _at = 0;               // part of the frame
   volatile uint8_t _number = 0;  // of the newest set, which is _set[_number % 2]
   volatile bool _isOn = false;
 };

@@ -21,9 +21,7 @@ static Ppm *source;
 static bool isInverted;
 static Ppm::Part next = {false, Ppm::Rest};  // it begins at the next edge
 
-inline bool nextLevel() {
-  return next.isPulse != isInverted;
-}
+inline bool nextLevel() { return next.isPulse != isInverted; }
 
 #if defined(__AVR__) && defined(COM1A1)
 
@@ -38,9 +36,7 @@ static_assert(F_CPU % 8000000 == 0, "Timer 1 counts whole ticks per us at 8 or 1
 const uint16_t TicksPerUs = F_CPU / 8000000;
 
 // Sets what happens to the pin at the next edge.
-inline void prepare() {
-  TCCR1A = static_cast<uint8_t>(nextLevel() ? _BV(COM1A1) | _BV(COM1A0) : _BV(COM1A1));
-}
+inline void prepare() { TCCR1A = static_cast<uint8_t>(nextLevel() ? _BV(COM1A1) | _BV(COM1A0) : _BV(COM1A1)); }
 
 // The timer may also capture an S.Bus line (SBusPin), whose interrupt would come between the two bytes of its
 // registers.
@@ -64,16 +60,13 @@ inline void elapsed() {
   prepare();
 }
 
-inline void poll() {
-}
+inline void poll() {}
 
 #else
 
 const uint8_t Pin = 2;
 
-inline void makeEdge() {
-  digitalWrite(Pin, nextLevel() ? HIGH : LOW);
-}
+inline void makeEdge() { digitalWrite(Pin, nextLevel() ? HIGH : LOW); }
 
 #if defined(ARDUINO_ARCH_stm32l0) && defined(TIM7)
 
@@ -95,8 +88,7 @@ inline void start() {
   stm32l0_timer_start(&timer, next.us - 1u, false);
 }
 
-inline void poll() {
-}
+inline void poll() {}
 
 #else
 
@@ -126,17 +118,14 @@ inline void startTimer() {
   hardware_alarm_set_target(alarm, from_us_since_boot(time_us_64() + next.us));
 }
 
-inline void poll() {
-}
+inline void poll() {}
 
 #elif defined(ESP32)
 
 static esp_timer_handle_t timer;
 
 // Runs in the timers' task: Wi-Fi, and writes to flash, make it late.
-inline void elapsed(void *) {
-  esp_timer_start_once(timer, step());
-}
+inline void elapsed(void *) { esp_timer_start_once(timer, step()); }
 
 inline void startTimer() {
   esp_timer_create_args_t settings = {};
@@ -146,13 +135,11 @@ inline void startTimer() {
   esp_timer_start_once(timer, next.us);
 }
 
-inline void poll() {
-}
+inline void poll() {}
 
 #else
 
-inline void startTimer() {
-}
+inline void startTimer() {}
 
 inline void poll() {
   const int32_t Near = 500;  // us

@@ -56,18 +56,10 @@ void IRAM_ATTR changed(uint8_t input) {
     inputs[i].look(isHigh[i], now, i == input);
   }
 }
-void IRAM_ATTR changed0() {
-  changed(0);
-}
-void IRAM_ATTR changed1() {
-  changed(1);
-}
-void IRAM_ATTR changed2() {
-  changed(2);
-}
-void IRAM_ATTR changed3() {
-  changed(3);
-}
+void IRAM_ATTR changed0() { changed(0); }
+void IRAM_ATTR changed1() { changed(1); }
+void IRAM_ATTR changed2() { changed(2); }
+void IRAM_ATTR changed3() { changed(3); }
 
 void attach(uint8_t pin, void (*callback)()) {
   pinMode(pin, INPUT);

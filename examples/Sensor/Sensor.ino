@@ -51,9 +51,7 @@ elapsedMillis timerDisplay;
 uint32_t charge = 0;  // mA * 100 ms
 
 // Returns the voltage at `pin`, mV.
-uint32_t millivolts(uint8_t pin) {
-  return static_cast<uint32_t>(analogRead(pin)) * REFERENCE / FULL_SCALE;
-}
+uint32_t millivolts(uint8_t pin) { return static_cast<uint32_t>(analogRead(pin)) * REFERENCE / FULL_SCALE; }
 
 void measure() {
   const uint32_t battery = millivolts(PIN_VOLTAGE) * DIVIDER;               // mV

@@ -5,13 +5,13 @@
     D2..D5 -> the signal wires of CH1..CH4; the servos have their own supply, with its GND connected to GND
     Uno R3, Nano: S.Bus -> 7. All boards: extras/docs/boards.md
 
-  Needs the library Servo, or ESP32Servo on an ESP32, from the Library Manager, unless the board's core has one. An Uno R3
-  and a Nano need neither.
+  Needs the library Servo, or ESP32Servo on an ESP32, from the Library Manager, unless the board's core has one. An Uno
+  R3 and a Nano need neither.
 
-  On failsafe, and when no frame has come for 100 ms, the throttle closes and the other servos hold. A FrSky receiver set
-  to "No pulses" may send 0 without a flag: then use DecodeSBusNoPulses, or all servos go to one end. Take the propeller
-  off before you try this. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second, if the board has a
-  second port: an ESP8266 has not.
+  On failsafe, and when no frame has come for 100 ms, the throttle closes and the other servos hold. A FrSky receiver
+  set to "No pulses" may send 0 without a flag: then use DecodeSBusNoPulses, or all servos go to one end. Take the
+  propeller off before you try this. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second, if the board
+  has a second port: an ESP8266 has not.
 */
 
 #define SBUS_MAY_TAKE_USB

@@ -107,6 +107,4 @@ uint8_t Servo::current = Servo::Most;
 uint16_t Servo::due;
 uint16_t Servo::round;
 
-ISR(TIMER1_COMPA_vect, ISR_NOBLOCK) {
-  Servo::elapsed();
-}
+ISR(TIMER1_COMPA_vect, ISR_NOBLOCK) { Servo::elapsed(); }

@@ -42,12 +42,8 @@ bool isOther[2];  // sends the range of the other make: its sticks would jump
 bool isDue;       // a frame has come that has not been sent
 
 #if SBUS_SECOND_TAKES_USB
-void beginTelling() {
-  pinMode(LED_BUILTIN, OUTPUT);
-}
-void tell() {
-  digitalWrite(LED_BUILTIN, choice.flying() == 1 ? HIGH : LOW);
-}
+void beginTelling() { pinMode(LED_BUILTIN, OUTPUT); }
+void tell() { digitalWrite(LED_BUILTIN, choice.flying() == 1 ? HIGH : LOW); }
 #else
 const char *const STATES[] = {"never seen", "ok", "lossy", "failsafe", "stale"};
 
@@ -61,9 +57,7 @@ const char *fault(uint8_t i) {
                                          : "";
 }
 
-void beginTelling() {
-  Serial.begin(115200);
-}
+void beginTelling() { Serial.begin(115200); }
 void tell() {
   Serial.print(choice.flying() == 0 ? "first flies, " : "second flies, ");
   Serial.print(choice.changes());

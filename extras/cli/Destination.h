@@ -16,8 +16,8 @@ class Destination {
   // Opens a port; if `to` is empty, creates a pseudo-terminal and prints its name. Throws std::runtime_error.
   Destination(const std::string &to, const line::LineSettings &settings);
 
-  // Waits until a program has opened the pseudo-terminal, for at most `seconds`; 0: without a limit. Returns false after
-  // Ctrl-C. Throws std::runtime_error if no program has.
+  // Waits until a program has opened the pseudo-terminal, for at most `seconds`; 0: without a limit. Returns false
+  // after Ctrl-C. Throws std::runtime_error if no program has.
   bool waitForReader(double seconds) const;
 
   // Gives a busy reader time to read the end: Linux discards unread bytes when a pseudo-terminal is closed.

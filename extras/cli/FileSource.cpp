@@ -12,7 +12,8 @@ namespace tool {
 
 namespace {
 
-// Prints to standard error which signal was chosen, if others carry S.Bus as well, and which part is decoded, if not all.
+// Prints to standard error which signal was chosen, if others carry S.Bus as well, and which part is decoded, if not
+// all.
 void reportSignal(const std::string &name, const line::WireDecoder &wire) {
   if (!wire.note().empty()) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), wire.note().c_str());

@@ -34,8 +34,9 @@ void Input::requireWhole() const {
 
 uint64_t Input::clockUs() const {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return _pace == Pace::Live ? line::clockUs()
-                             : static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+  return _pace == Pace::Live
+             ? line::clockUs()
+             : static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
 void Input::wait() {
@@ -57,9 +58,7 @@ void Input::begin() {
 }
 
 // Returns how long ago a recorded or simulated character was due.
-uint64_t Input::dueForUs(uint64_t endUs) const {
-  return _nowUs - std::min(_nowUs, endUs);
-}
+uint64_t Input::dueForUs(uint64_t endUs) const { return _nowUs - std::min(_nowUs, endUs); }
 
 // Hands over the characters received so far. Returns false at the end.
 bool Input::step(const Taker &taker) {
@@ -96,9 +95,7 @@ bool Input::advance() {
 }
 
 // Returns true if the seconds are over by the clock, even if no tick has come.
-bool Input::isOverdue() const {
-  return _seconds > 0 && static_cast<double>(sinceUs()) > _seconds * 1e6;
-}
+bool Input::isOverdue() const { return _seconds > 0 && static_cast<double>(sinceUs()) > _seconds * 1e6; }
 
 void Input::run(const std::function<void(const line::Character &)> &put,
                 const std::function<void(uint64_t nowUs)> &tick) {

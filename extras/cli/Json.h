@@ -27,7 +27,7 @@ class Json {
   // Adds a number that is already text.
   Json &digits(const char *name, const std::string &number) { return add(name, number); }
   Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if unknown
-  Json &late(const line::Stretch &stretch);                         // late_us, if a port may have held it back
+  Json &late(const line::Stretch &stretch);                      // late_us, if a port may have held it back
   Json &numbers(const char *name, const std::vector<double> &values);
   // Adds the raw values of `count` channels from CH`first` on.
   Json &channels(const line::Values &values, size_t first, size_t count);

@@ -26,13 +26,9 @@ namespace {
 
 }  // namespace
 
-bool isTerminal() {
-  return isatty(STDOUT_FILENO) != 0;
-}
+bool isTerminal() { return isatty(STDOUT_FILENO) != 0; }
 
-void setLineByLine() {
-  std::setvbuf(stdout, nullptr, line::LineBuffering, BUFSIZ);
-}
+void setLineByLine() { std::setvbuf(stdout, nullptr, line::LineBuffering, BUFSIZ); }
 
 void write(const std::string &text) {
   // fwrite() does not report that an earlier flush failed; ferror() does.

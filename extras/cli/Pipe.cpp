@@ -30,9 +30,7 @@ constexpr double NoteAfterS = 2;
 
 enum class Look { Unknown, Bytes, Packed, Text };
 
-bool isControl(unsigned char c) {
-  return c < ' ' && c != '\t' && c != '\n' && c != '\r';
-}
+bool isControl(unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; }
 
 // 0F, the header of each S.Bus frame, does not occur in text. Text has few characters beyond ASCII, such as a micro
 // sign.

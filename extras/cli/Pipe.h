@@ -29,7 +29,8 @@ class Pipe {
   // Returns true if a live line or a text is a file after all, since it comes at once. Call it after content().
   bool isFileAtOnce();
 
-  // Returns true if bytes that come at once are a file's that another program has changed: only a file's reader undoes it.
+  // Returns true if bytes that come at once are a file's that another program has changed: only a file's reader undoes
+  // it.
   bool isMangled();
 
   // Returns the file; for a pipe, a copy of everything in it. Throws std::runtime_error.

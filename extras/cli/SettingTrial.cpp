@@ -43,7 +43,8 @@ void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
   input.run(
       [this, us](const line::Character &character) {
         if (_observer.characters() == 0) {
-          _spans.begin(character.endUs - std::min<uint64_t>(character.endUs, _settings.characterUs() + character.lateUs));
+          _spans.begin(character.endUs -
+                       std::min<uint64_t>(character.endUs, _settings.characterUs() + character.lateUs));
         }
         if (us == ToItsEnd && _observer.characters() == 0) {
           _examination.begin(_observer, character.endUs);
@@ -73,10 +74,10 @@ std::string SettingTrial::text() const {
   const unsigned long telemetry = _observer.telemetry().characters();
   const unsigned long discarded = _observer.discardedBytes();
   return line::text(_settings) + ": " +
-         (_isCsv ? "rows of CSV"
-                 : _observer.frames() + ", " +
-                       (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
-                       std::to_string(discarded) + (discarded == 1 ? " discarded byte" : " discarded bytes")) +
+         (_isCsv
+              ? "rows of CSV"
+              : _observer.frames() + ", " + (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
+                    std::to_string(discarded) + (discarded == 1 ? " discarded byte" : " discarded bytes")) +
          (errors > 0 ? ", " + std::to_string(errors) + (errors == 1 ? " character error" : " character errors") : "") +
          "\n";
 }
@@ -169,9 +170,8 @@ uint64_t SettingTrial::silenceUs() const {
 
 uint64_t SettingTrial::silentUs(uint64_t Silence::*us) const {
   const uint64_t least = silenceUs();
-  return std::accumulate(_silences.begin(), _silences.end(), uint64_t{0}, [&](uint64_t sum, const Silence &each) {
-    return sum + (each.us >= least ? each.*us : 0);
-  });
+  return std::accumulate(_silences.begin(), _silences.end(), uint64_t{0},
+                         [&](uint64_t sum, const Silence &each) { return sum + (each.us >= least ? each.*us : 0); });
 }
 
 std::string SettingTrial::framesInPart() const {
@@ -199,8 +199,9 @@ std::string SettingTrial::framesInPart() const {
     return {};
   }
   const line::FlagSpan &first = without.front();
-  return first.toUs == _ends.front() ? line::format("Frames begin late: for the first %.1f s bytes come, but no frame.", seconds(first.us()))
-                                     : line::format("Frames in part: for %.1f s bytes come, but no frame.", seconds(all - silent));
+  return first.toUs == _ends.front()
+             ? line::format("Frames begin late: for the first %.1f s bytes come, but no frame.", seconds(first.us()))
+             : line::format("Frames in part: for %.1f s bytes come, but no frame.", seconds(all - silent));
 }
 
 // Returns the frame periods without those interrupted by a silence, which may last for hours.
@@ -209,9 +210,8 @@ std::vector<uint64_t> SettingTrial::periods() const {
   const uint64_t least = silenceUs();
   auto silence = _silences.begin();
   for (size_t i = 1; i < _ends.size(); i++) {
-    silence = std::find_if(silence, _silences.end(), [&](const Silence &each) {
-      return each.beginUs >= _ends[i - 1] && each.us >= least;
-    });
+    silence = std::find_if(silence, _silences.end(),
+                           [&](const Silence &each) { return each.beginUs >= _ends[i - 1] && each.us >= least; });
     if (silence == _silences.end() || silence->beginUs >= _ends[i]) {
       periods.push_back(_ends[i] - _ends[i - 1]);
     }

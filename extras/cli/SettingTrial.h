@@ -56,8 +56,8 @@ class SettingTrial {
   // Returns true if more groups of telemetry slots were rejected than read.
   bool rejectsTelemetry() const { return _observer.telemetry().rejectedGroups() > _observer.telemetry().groups(); }
 
-  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and of 2.5 periods or more. Late reads by
-  // a busy PC do not count as silence.
+  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and of 2.5 periods or more. Late reads
+  // by a busy PC do not count as silence.
   bool isInterrupted() const { return silentUs(&Silence::provedUs) >= 500000; }
 
   // Returns, in a sentence, when bytes came but no frame, or that the line went silent, for 0.3 s in all; otherwise "".

@@ -17,16 +17,10 @@ void requestStop(int signal) {
 
 }  // namespace
 
-void catchSignals() {
-  line::onStop(requestStop);
-}
+void catchSignals() { line::onStop(requestStop); }
 
-bool stopped() {
-  return stopRequested != 0;
-}
+bool stopped() { return stopRequested != 0; }
 
-void forgetStop() {
-  stopRequested = 0;
-}
+void forgetStop() { stopRequested = 0; }
 
 }  // namespace tool

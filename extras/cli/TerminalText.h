@@ -7,8 +7,8 @@
 
 namespace tool {
 
-// Returns how many columns a byte of UTF-8 takes: 1 if it begins a character, 2 if that is one of China, Japan or Korea, or
-// an emoji; 0 within a character.
+// Returns how many columns a byte of UTF-8 takes: 1 if it begins a character, 2 if that is one of China, Japan or
+// Korea, or an emoji; 0 within a character.
 inline int columnsOf(char c) {
   const bool isWide = ('\xE3' <= c && c <= '\xED') || c == '\xF0';
   return (c & 0xC0) == 0x80 ? 0 : isWide ? 2 : 1;

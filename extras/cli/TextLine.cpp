@@ -14,13 +14,11 @@ namespace tool {
 
 namespace {
 
-constexpr size_t Ahead = 2;                  // characters: knownUs() needs the next one
-constexpr uint64_t OldUs = 250000;  // a live text's characters that are this much older than its newest are left out
+constexpr size_t Ahead = 2;          // characters: knownUs() needs the next one
+constexpr uint64_t OldUs = 250000;   // a live text's characters that are this much older than its newest are left out
 constexpr int64_t JitterUs = 20000;  // a pipe's: a live text's newest character is played so much later at most
 
-double seconds(int64_t us) {
-  return static_cast<double>(us) / 1e6;
-}
+double seconds(int64_t us) { return static_cast<double>(us) / 1e6; }
 
 }  // namespace
 
@@ -29,9 +27,7 @@ FileText::FileText(const std::string &path, const std::string &name, bool isRaw)
   _file.findOnly();
 }
 
-bool PipeText::isReady(int ms) {
-  return !_begin.empty() || _ended || line::isReadable(_file, ms);
-}
+bool PipeText::isReady(int ms) { return !_begin.empty() || _ended || line::isReadable(_file, ms); }
 
 std::string_view PipeText::read() {
   while (!_ended) {
@@ -60,15 +56,14 @@ std::string emptyPart(int64_t firstUs, int64_t lastUs) {
                       seconds(lastUs));
 }
 
-TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<line::LineReader> reader, Clock clock,
-                   uint64_t fromUs, uint64_t toUs)
+TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<line::LineReader> reader,
+                   Clock clock, uint64_t fromUs, uint64_t toUs)
     : _name(std::move(name)),
       _lines(std::move(input)),
       _reader(std::move(reader)),
       _clock(clock),
       _fromUs(fromUs),
-      _toUs(toUs) {
-}
+      _toUs(toUs) {}
 
 bool TextLine::next(uint64_t nowUs, line::Character &character) {
   fill(nowUs);
@@ -114,9 +109,7 @@ bool TextLine::canAdvanceTo(uint64_t us) {
   return !_waiting.empty() || _ended || us <= _lastUs + TickUs;
 }
 
-bool TextLine::finished(uint64_t nowUs) const {
-  return _ended && _waiting.empty() && nowUs >= _lastUs + line::TailUs;
-}
+bool TextLine::finished(uint64_t nowUs) const { return _ended && _waiting.empty() && nowUs >= _lastUs + line::TailUs; }
 
 void TextLine::fill(uint64_t nowUs) {
   const bool isLive = _clock == Clock::Live;

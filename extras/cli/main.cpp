@@ -52,7 +52,8 @@ int main(int argc, char **argv) {
   app.set_help_all_flag("--help-all", "print the options of every subcommand");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a logic analyser's capture, bytes), - for "
-      "standard input, or sim, a built-in receiver. Without a subcommand a port is shown (monitor), and a file summarised "
+      "standard input, or sim, a built-in receiver. Without a subcommand a port is shown (monitor), and a file "
+      "summarised "
       "(summary). `sbus help SUBCOMMAND` and `man sbus` tell more.");
   addSubcommands(app);
   tool::catchSignals();

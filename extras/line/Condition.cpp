@@ -37,12 +37,11 @@ constexpr size_t StateCount = 4;
 
 constexpr const char *StateNames = "ok, lossy, stale or failsafe is expected";
 constexpr const char *AllNames =
-    "a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or ( is expected";
+    "a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or "
+    "( is expected";
 constexpr const char *Value = "a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected";
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || !isAscii(c);
-}
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || !isAscii(c); }
 
 // Returns the size of the word, number or sign at the beginning of the text.
 size_t tokenSize(std::string_view text) {

@@ -17,7 +17,18 @@ namespace line {
 // The line at a moment: after a frame, a board's row, or other bytes, or in the silence after them.
 struct Moment {
   // The values; the channels come first.
-  enum Which : uint8_t { ChannelsEnd = 32, Age = ChannelsEnd, Quality, State, Failsafe, NoPulses, LostFrame, Rejected, Jump, Count };
+  enum Which : uint8_t {
+    ChannelsEnd = 32,
+    Age = ChannelsEnd,
+    Quality,
+    State,
+    Failsafe,
+    NoPulses,
+    LostFrame,
+    Rejected,
+    Jump,
+    Count
+  };
 
   Moment() : values{} {}
 
@@ -36,9 +47,7 @@ struct Moment {
 };
 
 // Returns true for bytes that are neither a frame nor telemetry.
-inline bool isRejected(const Stretch &stretch) {
-  return !stretch.isFrame() && stretch.slots.empty();
-}
+inline bool isRejected(const Stretch &stretch) { return !stretch.isFrame() && stretch.slots.empty(); }
 
 class Condition {
  public:

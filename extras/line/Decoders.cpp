@@ -8,11 +8,11 @@ namespace line {
 
 namespace {
 
-constexpr uint8_t ShortGap = 3;     // characters, like a port that waits for them
-constexpr int SureLead = 2;         // votes ahead of the other decoder
-constexpr int LeadMost = 8;         // after as many frames a line that has changed has its other decoder
-constexpr uint64_t EndUs = 50000;   // a longer silence ends everything before it
-constexpr size_t MostOpen = 8;      // at most this many frames of one decoder wait for the other
+constexpr uint8_t ShortGap = 3;    // characters, like a port that waits for them
+constexpr int SureLead = 2;        // votes ahead of the other decoder
+constexpr int LeadMost = 8;        // after as many frames a line that has changed has its other decoder
+constexpr uint64_t EndUs = 50000;  // a longer silence ends everything before it
+constexpr size_t MostOpen = 8;     // at most this many frames of one decoder wait for the other
 
 }  // namespace
 
@@ -101,14 +101,12 @@ const std::vector<Piece> &Decoders::decide(bool isOver) {
     return _none;
   }
   _is24 = is24;
-  _isDecided = _isDecided || !_finder16.events().isBursty || std::abs(_lead24) >= SureLead || (isOver && counters().frames != 0) ||
-               places().pieces.size() >= MostOpen;
+  _isDecided = _isDecided || !_finder16.events().isBursty || std::abs(_lead24) >= SureLead ||
+               (isOver && counters().frames != 0) || places().pieces.size() >= MostOpen;
   return _isDecided ? places().pieces : _none;
 }
 
-const std::vector<Piece> &Decoders::finish() {
-  return decide(true);
-}
+const std::vector<Piece> &Decoders::finish() { return decide(true); }
 
 // A gap of eight characters is seen, one of seven is not. idle() is called at once: otherwise a finder would guess.
 void Decoders::reset(uint64_t nowUs, uint32_t characterUs) {
@@ -147,8 +145,8 @@ uint64_t Decoders::openAt(uint64_t end) const {
   if (counters().frames != 0 && _isDecided) {
     return places().openAt(end);
   }
-  for (const Places *each : {static_cast<const Places *>(&_finder16.events()),
-                             static_cast<const Places *>(&_finder24.events())}) {
+  for (const Places *each :
+       {static_cast<const Places *>(&_finder16.events()), static_cast<const Places *>(&_finder24.events())}) {
     end = std::min(each->pieces.empty() ? end : each->pieces.front().begin, each->openAt(end));
   }
   return end;

@@ -13,9 +13,10 @@ namespace line {
 
 // All that are counts.
 constexpr uint32_t sbus::Counters::*AllCounts[] = {
-    &sbus::Counters::frames,           &sbus::Counters::lostFrames,     &sbus::Counters::failsafeFrames, &sbus::Counters::rejectedByEnd,
-    &sbus::Counters::rejectedByFlags,  &sbus::Counters::rejectedByLength, &sbus::Counters::discardedBytes, &sbus::Counters::resyncs,
-    &sbus::Counters::overflows,        &sbus::Counters::shortfalls,     &sbus::Counters::extraFrames,    &sbus::Counters::otherSizeFrames};
+    &sbus::Counters::frames,         &sbus::Counters::lostFrames,      &sbus::Counters::failsafeFrames,
+    &sbus::Counters::rejectedByEnd,  &sbus::Counters::rejectedByFlags, &sbus::Counters::rejectedByLength,
+    &sbus::Counters::discardedBytes, &sbus::Counters::resyncs,         &sbus::Counters::overflows,
+    &sbus::Counters::shortfalls,     &sbus::Counters::extraFrames,     &sbus::Counters::otherSizeFrames};
 
 // Takes a decoder's events, and maps them to places on the line.
 class Places : public sbus::NoEvents {
@@ -96,11 +97,11 @@ class Decoders {
 
   Finder<sbus::Frame16Extra> _finder16;
   Finder<sbus::Frame24> _finder24;
-  uint64_t _nowUs;   // the decoders' newest time
-  uint64_t _byteUs;  // of the last byte
-  bool _isDecided;   // the right decoder is known
-  bool _is24;        // the one for 24 channels
-  int _lead24;       // by how many of the newest frames that one leads; below 0: the other one
+  uint64_t _nowUs;         // the decoders' newest time
+  uint64_t _byteUs;        // of the last byte
+  bool _isDecided;         // the right decoder is known
+  bool _is24;              // the one for 24 channels
+  int _lead24;             // by how many of the newest frames that one leads; below 0: the other one
   sbus::Counters _before;  // to be added to the right decoder's: the line was another one
   std::vector<Piece> _none;
 };

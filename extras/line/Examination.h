@@ -26,12 +26,14 @@ class Examination {
     const uint64_t ms = (nowUs - std::min(nowUs, _beganUs)) / 1000;
     const sbus::Finding fault = port.format.parity == Parity::None ? sbus::Finding::NoSignal : observer.senderFault();
     const sbus::Finding protocol = observer.otherProtocol();
-    sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
+    sbus::Trial trial = {port.baud,
+                         port.polarity != Polarity::Uninverted,
                          static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
-                         difference(observer.counters16(), _before), observer.pulseless() - _pulselessBefore,
+                         difference(observer.counters16(), _before),
+                         observer.pulseless() - _pulselessBefore,
                          protocol != sbus::Finding::NoSignal ? protocol : fault};
-    // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line with only such characters
-    // is not silent.
+    // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line with only such
+    // characters is not silent.
     if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {
       trial.counters.discardedBytes = static_cast<uint32_t>(observer.characterErrors() - _errorsBefore);
     }

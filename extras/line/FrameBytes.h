@@ -19,8 +19,8 @@ std::vector<uint8_t> frameBytes(Stretch::Kind kind, const Values &values, uint8_
 uint64_t appendBackToBack(const std::vector<Character> &came, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
                           std::deque<Character> &characters);
 
-// Does the same for characters that a port may have held back for `lateUs`: if there is no room for them after `lastUs`,
-// they follow each other faster, so that the last one still ends at `endUs`.
+// Does the same for characters that a port may have held back for `lateUs`: if there is no room for them after
+// `lastUs`, they follow each other faster, so that the last one still ends at `endUs`.
 uint64_t appendLate(const std::vector<Character> &came, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
                     uint32_t lateUs, std::deque<Character> &characters);
 

@@ -54,7 +54,8 @@ class FrameRate {
     const double perUs = perSecond() / 1e6;
     if (isLate()) {
       const Intervals other = sumOf(false);
-      return static_cast<unsigned long>(std::max(0.0, static_cast<double>(other.us) * perUs - static_cast<double>(other.count)));
+      return static_cast<unsigned long>(
+          std::max(0.0, static_cast<double>(other.us) * perUs - static_cast<double>(other.count)));
     }
     unsigned long missing = 0;
     for (const auto &[ms, each] : _intervals) {

@@ -1,4 +1,5 @@
-// Finds jumps: a channel that leaves its course for one frame, as a sender makes that changes the channels while it sends.
+// Finds jumps: a channel that leaves its course for one frame, as a sender makes that changes the channels while it
+// sends.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace line {
 class Jumps {
  public:
   // Returns the smallest jump, raw, if the frame before and the one after are that far apart: 100, and 3/4 for each
-  // square of a millisecond: 243 at a period of 9 ms, 1200 at 20 ms. A hand that moves a stick over its whole travel and
-  // back in 150 ms turns it by less, even if the radio sends only every second of the frames a new value.
+  // square of a millisecond: 243 at a period of 9 ms, 1200 at 20 ms. A hand that moves a stick over its whole travel
+  // and back in 150 ms turns it by less, even if the radio sends only every second of the frames a new value.
   static constexpr uint64_t least(uint64_t apartUs) {
     return std::max<uint64_t>(100, apartUs * apartUs / 1000 * 3 / 4000);
   }
@@ -26,7 +27,8 @@ class Jumps {
     Frame frame;
     frame.us = us;
     frame.count = areSticks ? std::min(count, frame.raw.size()) : 0;
-    std::transform(channels, channels + frame.count, frame.raw.begin(), [](Value raw) { return static_cast<int>(raw); });
+    std::transform(channels, channels + frame.count, frame.raw.begin(),
+                   [](Value raw) { return static_cast<int>(raw); });
     uint32_t jumped = 0;
     const bool areSame = frame.count == _before.count && frame.count == _newest.count;
     for (size_t i = 0; areSame && i < frame.count; i++) {

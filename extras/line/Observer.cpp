@@ -11,9 +11,7 @@ namespace {
 constexpr uint64_t GapCharacters = 8;
 
 // Returns us - lessUs, or 0 if that is negative.
-constexpr uint64_t difference(uint64_t us, uint64_t lessUs) {
-  return us - std::min(us, lessUs);
-}
+constexpr uint64_t difference(uint64_t us, uint64_t lessUs) { return us - std::min(us, lessUs); }
 
 }  // namespace
 
@@ -43,9 +41,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _joinsAtExtra = 0;
 }
 
-sbus::Counters Observer::counters() const {
-  return withJoins(_decoders.counters());
-}
+sbus::Counters Observer::counters() const { return withJoins(_decoders.counters()); }
 
 sbus::Counters Observer::counters16() const {
   sbus::Counters counters = withJoins(_decoders.counters16());
@@ -72,9 +68,7 @@ std::string Observer::frames() const {
          (of24 == 0 ? "" : (variant().frames16() == 0 ? "" : ", " + std::to_string(of24)) + " of 24 channels");
 }
 
-unsigned Observer::linkQuality(uint64_t nowUs) {
-  return state(nowUs) == sbus::LinkState::Stale ? 0 : _percent;
-}
+unsigned Observer::linkQuality(uint64_t nowUs) { return state(nowUs) == sbus::LinkState::Stale ? 0 : _percent; }
 
 sbus::Finding Observer::senderFault() const {
   const sbus::Finding sender = _faults.found();
@@ -90,13 +84,15 @@ std::string Observer::packets() const {
     return {};
   }
   const sbus::PacketForm &form = _packets.form();
-  std::string text = format("Packets: %u bytes from %02X to %02X, one every %.1f ms", unsigned{form.size}, unsigned{form.first},
-                            unsigned{form.last}, static_cast<double>(_packetPeriods.mean()) / 1000);
+  std::string text =
+      format("Packets: %u bytes from %02X to %02X, one every %.1f ms", unsigned{form.size}, unsigned{form.first},
+             unsigned{form.last}, static_cast<double>(_packetPeriods.mean()) / 1000);
   if (form.size != sbus::FrameSize) {
     text += "; a frame has 25 bytes";
   }
   if ((form.first & sbus::AnyHeader) != sbus::HeaderByte) {
-    text += form.first == 0xF0 ? "; a frame begins with 0F: the lowest bit of a byte is sent first" : "; a frame begins with 0F";
+    text += form.first == 0xF0 ? "; a frame begins with 0F: the lowest bit of a byte is sent first"
+                               : "; a frame begins with 0F";
   }
   if (form.size == sbus::FrameSize && !sbus::isEndByte(form.last)) {
     text += "; a frame ends with 00";

@@ -53,8 +53,8 @@ class Observer : public Statistics {
   // Returns the protocol of packets that came before the first frame of S.Bus; NoSignal without one. See
   // sbus::OtherProtocols.
   sbus::Finding otherProtocol() const { return _protocols.found(); }
-  // Returns what is wrong with the sender of characters with parity; NoSignal if nothing is. See SenderFaults, PacketShape
-  // and FlagRhythm.
+  // Returns what is wrong with the sender of characters with parity; NoSignal if nothing is. See SenderFaults,
+  // PacketShape and FlagRhythm.
   sbus::Finding senderFault() const;
   // Returns "Packets: 24 bytes from 0F to 00, one every 9.0 ms; a frame has 25 bytes."; empty if there are none of one
   // length that are not frames.
@@ -104,10 +104,10 @@ class Observer : public Statistics {
   SenderFaults _faults;
   ReadAtBaud _readAt;
   sbus::PacketShape _packets;
-  Extent _packetPeriods;   // us
-  uint64_t _packetUs;      // when the newest began
+  Extent _packetPeriods;  // us
+  uint64_t _packetUs;     // when the newest began
   sbus::FlagRhythm _rhythm;
-  bool _waits;          // _last has not been passed to the decoders
+  bool _waits;  // _last has not been passed to the decoders
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;
   uint8_t _percent;        // the link quality when the newest frame was complete

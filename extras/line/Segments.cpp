@@ -107,9 +107,7 @@ void Segments::cutBefore(uint64_t end, uint64_t nowUs) {
   cutRows(std::max(end, this->end() - std::min(this->end(), KeptMax)), nowUs);
 }
 
-void Segments::finish() {
-  cutRows(end(), Forever);
-}
+void Segments::finish() { cutRows(end(), Forever); }
 
 void Segments::cutRows(uint64_t end, uint64_t nowUs) {
   while (_at < end) {

@@ -33,8 +33,8 @@ class SenderFaults {
 
   // Returns NoParity, IdleLevel or SevenBits; NoSignal if it is neither of them, or not known yet.
   sbus::Finding found() const {
-    return _even >= ParityLeast && _odd >= ParityLeast ? sbus::Finding::NoParity
-           : _breaks >= BreaksLeast                    ? sbus::Finding::IdleLevel
+    return _even >= ParityLeast && _odd >= ParityLeast  ? sbus::Finding::NoParity
+           : _breaks >= BreaksLeast                     ? sbus::Finding::IdleLevel
            : _characters >= SevenLeast && _bits == 0x7F ? sbus::Finding::SevenBits
                                                         : sbus::Finding::NoSignal;
   }

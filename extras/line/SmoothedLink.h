@@ -27,8 +27,8 @@ class SmoothedLink {
       _second.pop_front();
     }
     const bool isAll = _lost == _second.size();
-    _isLossy = isAll ||
-               (_isLossy ? _lost * FinePart >= _second.size() : _lost * LossyPart > std::max(_second.size(), FramesMin));
+    _isLossy = isAll || (_isLossy ? _lost * FinePart >= _second.size()
+                                  : _lost * LossyPart > std::max(_second.size(), FramesMin));
     _newestLost = lost;
     _newestFailsafe = link == sbus::LinkState::Failsafe;
     const uint64_t untilUs = std::max(us, knownUs) + HoldUs;

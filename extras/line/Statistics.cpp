@@ -31,8 +31,8 @@ Values withFlags(Values values, uint8_t flagsByte) {
   return values;
 }
 
-// A header 0F that noise turns into 2F makes no line of 32 channels. But the first frame on a line lacks no channels: the
-// one with header 2F before it counts for it alone.
+// A header 0F that noise turns into 2F makes no line of 32 channels. But the first frame on a line lacks no channels:
+// the one with header 2F before it counts for it alone.
 void Statistics::add(const Stretch &frame) {
   std::array<uint8_t, sbus::FrameSize24> bytes{};
   std::transform(frame.characters.begin(), frame.characters.end(), bytes.begin(),

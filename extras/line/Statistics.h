@@ -103,7 +103,7 @@ class Statistics : public Arrivals {
 
   Values _newest;
   DetectedVariant _variant;
-  bool _has32 = false;             // two frames with header 2F came within ExtraWithin, and then always one within NoExtra
+  bool _has32 = false;  // two frames with header 2F came within ExtraWithin, and then always one within NoExtra
   unsigned _sinceExtra = NoExtra;  // frames since the newest of them, at most this many
   uint32_t _pulseless = 0;
   Jumps _jumps;

@@ -95,32 +95,22 @@ bool hasChannel(Sender &sender) {
   return sender.channel != 0;
 }
 
-uint32_t addressOf(const volatile void *object) {
-  return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(object));
-}
+uint32_t addressOf(const volatile void *object) { return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(object)); }
 
-bool isOpen(const Sender &sender) {
-  return (sender.registers->CR1 & USART_CR1_UE) != 0;
-}
+bool isOpen(const Sender &sender) { return (sender.registers->CR1 & USART_CR1_UE) != 0; }
 
 // begin() clears the bit: what was left then is never sent.
-bool isLinked(const Sender &sender) {
-  return (sender.registers->CR3 & USART_CR3_DMAT) != 0;
-}
+bool isLinked(const Sender &sender) { return (sender.registers->CR3 & USART_CR3_DMAT) != 0; }
 
 bool isBusy(const Sender &sender) {
   return isOpen(sender) && isLinked(sender) && sender.channel != 0 && stm32l0_dma_count(sender.channel) < sender.size;
 }
 
-size_t roomOf(Sender &sender) {
-  return isOpen(sender) && !isBusy(sender) && hasChannel(sender) ? DmaSender::Room : 0;
-}
+size_t roomOf(Sender &sender) { return isOpen(sender) && !isBusy(sender) && hasChannel(sender) ? DmaSender::Room : 0; }
 
 }  // namespace
 
-bool DmaSender::knows(const HardwareSerial *port) {
-  return senderOf(port) != nullptr;
-}
+bool DmaSender::knows(const HardwareSerial *port) { return senderOf(port) != nullptr; }
 
 size_t DmaSender::room(const HardwareSerial *port) {
   Sender *const sender = senderOf(port);

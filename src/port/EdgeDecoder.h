@@ -36,11 +36,17 @@ class EdgeDecoder {
   static const uint8_t *masks() {
 #define SBUS_FIVE(mask) mask, mask, mask, mask, mask
 #define SBUS_BOUNDARY(mask) None, None, SBUS_FIVE(mask), SBUS_FIVE(mask), SBUS_FIVE(mask), mask, mask, mask
-    static const uint8_t Masks[256] SBUS_FLASH = {
-        SBUS_FIVE(None), SBUS_FIVE(None), SBUS_BOUNDARY(0xFF), SBUS_BOUNDARY(0xFE), SBUS_BOUNDARY(0xFC),
-        SBUS_BOUNDARY(0xF8), SBUS_BOUNDARY(0xF0), SBUS_BOUNDARY(0xE0), SBUS_BOUNDARY(0xC0), SBUS_BOUNDARY(0x80),
-        SBUS_BOUNDARY(0), SBUS_BOUNDARY(0), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None),
-        SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), SBUS_FIVE(None), None};
+    static const uint8_t Masks[256] SBUS_FLASH = {SBUS_FIVE(None),     SBUS_FIVE(None),
+                                                  SBUS_BOUNDARY(0xFF), SBUS_BOUNDARY(0xFE),
+                                                  SBUS_BOUNDARY(0xFC), SBUS_BOUNDARY(0xF8),
+                                                  SBUS_BOUNDARY(0xF0), SBUS_BOUNDARY(0xE0),
+                                                  SBUS_BOUNDARY(0xC0), SBUS_BOUNDARY(0x80),
+                                                  SBUS_BOUNDARY(0),    SBUS_BOUNDARY(0),
+                                                  SBUS_FIVE(None),     SBUS_FIVE(None),
+                                                  SBUS_FIVE(None),     SBUS_FIVE(None),
+                                                  SBUS_FIVE(None),     SBUS_FIVE(None),
+                                                  SBUS_FIVE(None),     SBUS_FIVE(None),
+                                                  SBUS_FIVE(None),     None};
 #undef SBUS_BOUNDARY
 #undef SBUS_FIVE
     return Masks;
@@ -54,7 +60,8 @@ class EdgeDecoder {
   }
 
   // Takes edges of a ring of 256 from `from` on: up to `to`, or the ring's end, or one that is no boundary of a bit.
-  // Returns the place of the next one. `from` is not `to`. Plain::take() takes what most of them are, as PlainEdges does.
+  // Returns the place of the next one. `from` is not `to`. Plain::take() takes what most of them are, as PlainEdges
+  // does.
   template <typename Plain>
   uint8_t take(const uint8_t *ring, uint8_t from, uint8_t to) {
     const uint8_t end = from < to ? to : 0;
@@ -111,8 +118,8 @@ class EdgeDecoder {
   static constexpr uint8_t Lost = 0x80;                  // in _count
   static_assert(Lost % Room == 0 && (Room & (Room - 1)) == 0, "keep() counts on it");
 
-  // Takes edges that are boundaries of bits, up to the first that is more. Returns how many are left. (It calls nothing:
-  // then a compiler saves no registers.)
+  // Takes edges that are boundaries of bits, up to the first that is more. Returns how many are left. (It calls
+  // nothing: then a compiler saves no registers.)
   template <typename Plain>
   __attribute__((noinline)) uint8_t takeBits(const uint8_t *edges, uint8_t count) {
     uint8_t before = _before, time = _time, bits = _bits, level = _level;
@@ -246,12 +253,12 @@ class EdgeDecoder {
     }
   }
 
-  uint8_t _start;             // the code of a start bit's edge after an idle line
-  bool _isBroken;             // waits for an idle line
+  uint8_t _start;              // the code of a start bit's edge after an idle line
+  bool _isBroken;              // waits for an idle line
   uint8_t _before = 0, _time;  // of the newest two edges that count, ticks from the character's start
-  uint8_t _carried;           // ticks from the edge at _before to one that has cancelled the one at _time; mostly 0
-  uint8_t _bits = 0;          // the data, from the edges so far
-  uint8_t _level = 0;         // after the newest edge
+  uint8_t _carried;            // ticks from the edge at _before to one that has cancelled the one at _time; mostly 0
+  uint8_t _bits = 0;           // the data, from the edges so far
+  uint8_t _level = 0;          // after the newest edge
   uint8_t _first = 0, _count;  // of those that wait; Lost: some were lost before them, as read() has not yet told
   uint8_t _characters[Room];
 };

@@ -16,9 +16,7 @@ template struct StateOf<&Uart::_uart>;
 
 }  // namespace
 
-stm32l0_uart_t *uartOf(Uart &port) {
-  return stateOf(port);
-}
+stm32l0_uart_t *uartOf(Uart &port) { return stateOf(port); }
 
 }  // namespace sbus
 

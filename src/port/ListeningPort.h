@@ -15,9 +15,7 @@ namespace sbus {
 // Returns the core's state of a port, which its class keeps to itself.
 stm32l0_uart_t *uartOf(Uart &port);
 // Returns null: another Stream does not tell when its line was idle.
-inline stm32l0_uart_t *uartOf(Stream &) {
-  return nullptr;
-}
+inline stm32l0_uart_t *uartOf(Stream &) { return nullptr; }
 
 // The STM32L0's port calls back at PendSV level, which interrupts loop(): at once, and then not until bytes have been
 // read (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses
@@ -59,8 +57,8 @@ class ListeningPort : public Port {
   unsigned waiting() const { return static_cast<unsigned>(_uart->rx_count); }
   // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its
   // ring, and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong
-  // (:529). Where no call has found the half before, masked interrupts may have delayed it: that proves nothing. Call it
-  // whenever bytes are found.
+  // (:529). Where no call has found the half before, masked interrupts may have delayed it: that proves nothing. Call
+  // it whenever bytes are found.
   __attribute__((noinline)) bool wasIdle() {
     if (_uart == nullptr) {
       return false;
@@ -99,8 +97,8 @@ class ListeningPort : public Port {
     }
   }
 
-  // Returns true if the port is open here, and no other caller is between enter() and leave(). Otherwise this interrupts
-  // that caller, and its leave() returns true. An object that was never begun, or was ended, takes no bytes.
+  // Returns true if the port is open here, and no other caller is between enter() and leave(). Otherwise this
+  // interrupts that caller, and its leave() returns true. An object that was never begun, or was ended, takes no bytes.
   bool enter() {
     if (_isBusy) {
       _wasCalled = true;
@@ -150,9 +148,8 @@ class ListeningPort : public Port {
     return uartOf(static_cast<Class &>(port));
   }
 
-
-  Set *const _set;  // null: the port cannot call back
-  State *_uart = nullptr;  // null: the port does not tell when its line was idle
+  Set *const _set;               // null: the port cannot call back
+  State *_uart = nullptr;        // null: the port does not tell when its line was idle
   volatile bool _isBusy = true;  // until the first leave(), and from end() on
   volatile bool _wasCalled = false;
   volatile uint8_t _polls = 0;

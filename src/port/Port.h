@@ -12,14 +12,16 @@
 namespace sbus {
 
 #if defined(SBUS_PIN)
-// Closes `port` if it is an SBusPin. Null in a sketch without one, which pays 26 bytes for it if it calls end(), else 6.
+// Closes `port` if it is an SBusPin. Null in a sketch without one, which pays 26 bytes for it if it calls end(),
+// else 6.
 __attribute__((weak)) void closePin(Stream &port);
 #endif
 
 // A serial port of any class.
 class Port : private CoreKind::Pins {
  public:
-  // An SBusPin announces a byte that it does not hand over where it has lost some; a sensor cannot have one, as it sends.
+  // An SBusPin announces a byte that it does not hand over where it has lost some; a sensor cannot have one, as it
+  // sends.
 #if defined(SBUS_PIN)
   static constexpr bool TellsLoss = true;
 #else

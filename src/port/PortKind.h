@@ -52,8 +52,7 @@ auto limitBursts(Port &port, uint8_t burst, Rank<1>) -> decltype(port.setRxFIFOF
 }
 // Does nothing: other ports keep their burst.
 template <typename Port>
-void limitBursts(Port &, uint8_t, Rank<0>) {
-}
+void limitBursts(Port &, uint8_t, Rank<0>) {}
 
 // Gives arduino-pico's port a queue of WantedBuffer. Returns its size.
 template <typename Port>
@@ -70,8 +69,8 @@ unsigned enlarge(Port &, Rank<0>) {
 // Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h).
 constexpr uint8_t idleCharacters(ReceiveNotice notice) {
   return notice == ReceiveNotice::EachCharacter || notice == ReceiveNotice::Fifo ? 0
-         : notice == ReceiveNotice::Dma16                                     ? 1
-                                                                           : MostIdleCharacters;
+         : notice == ReceiveNotice::Dma16                                        ? 1
+                                                                                 : MostIdleCharacters;
 }
 
 // ---- Pins
@@ -260,8 +259,7 @@ auto kindOf(Port *, Stream *, Rank<2>) -> typename Port::PortKind;
 template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Rank<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Rank<4>)
-    -> decltype(port->begin(0, Config(), Config(), 1, true), Esp8266());
+auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->begin(0, Config(), Config(), 1, true), Esp8266());
 template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->setInvertRX(true), Pico());
 template <typename Port>

@@ -134,8 +134,8 @@ class PortReader {
     }
   }
 
-  // Counting the bytes that have arrived since a poll found so many, the port's buffer may have overflowed before it was
-  // read: then those bytes may stand before the loss or after it. Returns true if it has, and drops them.
+  // Counting the bytes that have arrived since a poll found so many, the port's buffer may have overflowed before it
+  // was read: then those bytes may stand before the loss or after it. Returns true if it has, and drops them.
   SBUS_IN_LINE bool drop(unsigned found) {
     int more = _port.available();
     if (found + static_cast<unsigned>(more) <= 2 * _port.half()) {

@@ -77,9 +77,7 @@ ReceiveNotice noticeOf(Port *, HardwareSerial *, Rank<1>) {
   return ReceiveNotice::EachCharacter;
 }
 #elif defined(SBUS_TEENSY4)  // whose available() looks into the FIFO (cores 7f107ee, teensy4/HardwareSerial.cpp:449)
-inline ReceiveNotice noticeOf(HardwareSerialIMXRT *, HardwareSerial *, Rank<1>) {
-  return ReceiveNotice::EachCharacter;
-}
+inline ReceiveNotice noticeOf(HardwareSerialIMXRT *, HardwareSerial *, Rank<1>) { return ReceiveNotice::EachCharacter; }
 #endif
 // arduino-pico: its available() looks into the FIFO. Its UART does not check the second stop bit (RP2040 datasheet,
 // 4.2.2).

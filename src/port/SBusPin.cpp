@@ -11,7 +11,7 @@
 // What the interrupt writes.
 extern "C" {
 volatile uint8_t sbusPinEdges[256];
-volatile uint8_t sbusPinHead;  // the next edge goes there
+volatile uint8_t sbusPinHead;   // the next edge goes there
 volatile uint16_t sbusPinLast;  // when the newest edge came
 }
 
@@ -24,9 +24,7 @@ constexpr uint8_t Comparator = _BV(ACBG) | _BV(ACI) | _BV(ACIC) | _BV(ACIS1);  /
 
 constexpr uint8_t Untouched = 3;  // no two edges in turn are noted so, as the second interrupt comes after the first
 
-uint8_t before(uint8_t place, uint8_t count) {
-  return static_cast<uint8_t>(place - count);
-}
+uint8_t before(uint8_t place, uint8_t count) { return static_cast<uint8_t>(place - count); }
 
 // What PlainEdges does, in 21 cycles an edge; a compiler's loop takes 30 to 40.
 struct FastEdges {
@@ -127,9 +125,7 @@ void SBusPin::end() {
   }
 }
 
-int SBusPin::available() {
-  return sbusPinHead != _tail || _decoder.isOpen() ? decode() : _decoder.available();
-}
+int SBusPin::available() { return sbusPinHead != _tail || _decoder.isOpen() ? decode() : _decoder.available(); }
 
 // Takes all edges, and completes a character that needs no more. Returns how many wait. (The next call takes the edges
 // that come meanwhile.)
@@ -158,18 +154,12 @@ int SBusPin::decode() {
   return _decoder.available();
 }
 
-int SBusPin::peek() {
-  return available() != 0 && _decoder.isReady() ? _decoder.peek() : -1;
-}
+int SBusPin::peek() { return available() != 0 && _decoder.isReady() ? _decoder.peek() : -1; }
 
-int SBusPin::read() {
-  return _decoder.isReady() ? _decoder.read() : readLate();
-}
+int SBusPin::read() { return _decoder.isReady() ? _decoder.read() : readLate(); }
 
 // Reads if no character waits yet, or some were lost.
-int SBusPin::readLate() {
-  return available() != 0 ? _decoder.read() : -1;
-}
+int SBusPin::readLate() { return available() != 0 ? _decoder.read() : -1; }
 
 void sbus::closePin(Stream &port) {
   if (&port == isOpen) {
@@ -196,7 +186,7 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       "lds r30, %[tccr]\n"
       "ldi r31, %[ices]\n"
       "eor r30, r31\n"
-      "lds r24, %[icr]\n"  // which keeps the high byte for later, too
+      "lds r24, %[icr]\n"   // which keeps the high byte for later, too
       "sts %[tccr], r30\n"  // from now on the unit waits for the other edge,
       "in r30, %[acsr]\n"
       "sbrc r30, %[aci]\n"
@@ -298,9 +288,8 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       [aci] "I"(ACI), [aco] "I"(ACO), [turn] "M"(_BV(ACI) | _BV(ACIS0)), [fall] "M"(Comparator),
       [rise] "M"(Comparator | _BV(ACIS0)), [tov] "I"(TOV1), [tovf] "M"(_BV(TOV1)), [icf] "M"(_BV(ICF1)),
       [flags] "M"(_BV(ICF1) | _BV(TOV1)), [shortest] "M"(sbus::EdgeDecoder::Shortest), [missed] "M"(sbus::edge::Missed),
-      [longfall] "M"(sbus::edge::LongFall),
-      [longrise] "M"(sbus::edge::LongRise), [last] "i"(&sbusPinLast), [head] "i"(&sbusPinHead),
-      [edges] "i"(sbusPinEdges));
+      [longfall] "M"(sbus::edge::LongFall), [longrise] "M"(sbus::edge::LongRise), [last] "i"(&sbusPinLast),
+      [head] "i"(&sbusPinHead), [edges] "i"(sbusPinEdges));
 }
 
 #endif

@@ -37,9 +37,7 @@ bool take(Sender &port, void (*due)(void *), void *context) {
   return true;
 }
 
-bool isOf(const void *context) {
-  return sender != nullptr && sensor == context;
-}
+bool isOf(const void *context) { return sender != nullptr && sensor == context; }
 
 }  // namespace
 
@@ -52,9 +50,7 @@ constexpr uint32_t LongestUs = 60000;  // the timer has 16 bits
 
 stm32l0_timer_t timer;
 
-void elapsed(void *, uint32_t) {
-  dueCallback(sensor);
-}
+void elapsed(void *, uint32_t) { dueCallback(sensor); }
 
 }  // namespace
 
@@ -81,21 +77,13 @@ void SlotTimer::stop(void *context) {
   }
 }
 
-void SlotTimer::callIn(uint32_t us) {
-  stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true);
-}
+void SlotTimer::callIn(uint32_t us) { stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true); }
 
-bool SlotTimer::cameAtOnce() {
-  return DmaSender::cameAtOnce(sender);
-}
+bool SlotTimer::cameAtOnce() { return DmaSender::cameAtOnce(sender); }
 
-bool SlotTimer::isLineIdle(Port &, int) {
-  return !DmaSender::hears(sender);
-}
+bool SlotTimer::isLineIdle(Port &, int) { return !DmaSender::hears(sender); }
 
-bool SlotTimer::send(const uint8_t *characters, size_t size) {
-  return DmaSender::send(sender, characters, size);
-}
+bool SlotTimer::send(const uint8_t *characters, size_t size) { return DmaSender::send(sender, characters, size); }
 
 #elif defined(SBUS_AVR)
 
@@ -193,9 +181,7 @@ uint32_t next;  // us, until the next call
 
 // Returns a time that changes from call to call: otherwise the interrupt could stay in step with a loop() that is in a
 // method of the port each time.
-uint32_t soon() {
-  return next >= Soonest && next < 2 * Soonest ? next + 1 : Soonest;
-}
+uint32_t soon() { return next >= Soonest && next < 2 * Soonest ? next + 1 : Soonest; }
 
 // If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): a poll would
 // find nothing, and seem to know that the frame has not ended. So it comes again.
@@ -233,14 +219,10 @@ void SlotTimer::stop(void *context) {
 }
 
 // Called by due() only, in the interrupt.
-void SlotTimer::callIn(uint32_t us) {
-  next = us < Soonest ? soon() : us;
-}
+void SlotTimer::callIn(uint32_t us) { next = us < Soonest ? soon() : us; }
 
 // The UART's FIFO takes 32.
-bool SlotTimer::send(const uint8_t *characters, size_t size) {
-  return sender->write(characters, size) == size;
-}
+bool SlotTimer::send(const uint8_t *characters, size_t size) { return sender->write(characters, size) == size; }
 
 #elif defined(SBUS_ESP32)
 
@@ -306,9 +288,7 @@ void SlotTimer::stop(void *context) {
 }
 
 // Called by due() only, in the task.
-void SlotTimer::callIn(uint32_t us) {
-  next = us < Soonest ? Soonest : us;
-}
+void SlotTimer::callIn(uint32_t us) { next = us < Soonest ? Soonest : us; }
 
 void SlotTimer::polled(unsigned found, uint32_t by) {
   const uint32_t from = clock();
@@ -316,9 +296,7 @@ void SlotTimer::polled(unsigned found, uint32_t by) {
   _watch.poll(found, by, from, fill, clock());
 }
 
-int IRAM_ATTR SlotTimer::waiting(Port &) {
-  return static_cast<int>(uart_ll_get_rxfifo_len(UART_LL_GET_HW(number)));
-}
+int IRAM_ATTR SlotTimer::waiting(Port &) { return static_cast<int>(uart_ll_get_rxfifo_len(UART_LL_GET_HW(number))); }
 
 // The driver may have taken all characters out of the FIFO meanwhile.
 bool IRAM_ATTR SlotTimer::isLineIdle(Port &port, int waiting) {
@@ -342,9 +320,7 @@ bool IRAM_ATTR SlotTimer::send(const uint8_t *characters, size_t size) {
 
 #if defined(SBUS_AVR)
 // With `dot_a_linkage` it is linked only into sketches that have an SBus2Sensor.
-ISR(TIMER2_COMPB_vect) {
-  sbus::SlotTimer::tick();
-}
+ISR(TIMER2_COMPB_vect) { sbus::SlotTimer::tick(); }
 #endif
 
 #endif

@@ -83,9 +83,7 @@ bool PolledByTimer::startTimer() {
   return true;
 }
 
-void PolledByTimer::stopTimer() {
-  TIMSK0 &= static_cast<uint8_t>(~_BV(OCIE0B));
-}
+void PolledByTimer::stopTimer() { TIMSK0 &= static_cast<uint8_t>(~_BV(OCIE0B)); }
 
 }  // namespace sbus
 
@@ -207,9 +205,7 @@ bool PolledByTimer::startTimer() {
 }
 
 // One that is still to come finds the list empty.
-void PolledByTimer::stopTimer() {
-  isRunning = false;
-}
+void PolledByTimer::stopTimer() { isRunning = false; }
 
 }  // namespace sbus
 
@@ -275,9 +271,7 @@ bool PolledByTimer::startTimer() {
   return true;
 }
 
-void PolledByTimer::stopTimer() {
-  isRunning = false;
-}
+void PolledByTimer::stopTimer() { isRunning = false; }
 
 }  // namespace sbus
 
@@ -292,9 +286,7 @@ int sysTickHook() {
 }
 
 // Weak in the core, as sysTickHook() is. (Its pendSVHook() is never called.)
-void PendSV_Handler() {
-  sbus::PolledByTimer::tickAll();
-}
+void PendSV_Handler() { sbus::PolledByTimer::tickAll(); }
 }
 
 #endif

@@ -21,9 +21,7 @@ uint16_t checkValueOf(const Calibration &calibration) {
   return static_cast<uint16_t>(check);
 }
 
-uint16_t distance(uint16_t a, uint16_t b) {
-  return static_cast<uint16_t>(a < b ? b - a : a - b);
-}
+uint16_t distance(uint16_t a, uint16_t b) { return static_cast<uint16_t>(a < b ? b - a : a - b); }
 
 // Returns `value` moved towards the centre by the dead zone; the centre if it lies within the dead zone.
 uint16_t drawnIn(uint16_t value, const CalibratedChannel &channel) {

@@ -47,9 +47,7 @@ enum class StoredState : uint8_t {
 };
 
 /// Returns true if the channel is calibrated: its low and high differ.
-constexpr bool isCalibrated(const CalibratedChannel &channel) {
-  return channel.range.low != channel.range.high;
-}
+constexpr bool isCalibrated(const CalibratedChannel &channel) { return channel.range.low != channel.range.high; }
 
 /// Returns true if the channel is not calibrated (all 0), or if its centre lies between its ends, all three are at most
 /// 2047, and the dead zone ends before the ends.

@@ -30,21 +30,13 @@ constexpr uint16_t MiddleMax = 1350;
 constexpr uint8_t WrongFrame = 8;                                      // good frames that cancel one bad frame
 constexpr uint8_t HeldMost = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong frames at the end do no harm
 
-constexpr uint16_t smaller(uint16_t a, uint16_t b) {
-  return a < b ? a : b;
-}
-constexpr uint16_t larger(uint16_t a, uint16_t b) {
-  return a > b ? a : b;
-}
-constexpr bool isInMiddle(uint16_t value) {
-  return value >= MiddleMin && value <= MiddleMax;
-}
+constexpr uint16_t smaller(uint16_t a, uint16_t b) { return a < b ? a : b; }
+constexpr uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
+constexpr bool isInMiddle(uint16_t value) { return value >= MiddleMin && value <= MiddleMax; }
 
 }  // namespace
 
-Text text(CalibrationError error) {
-  return textOf(Errors, static_cast<uint8_t>(error));
-}
+Text text(CalibrationError error) { return textOf(Errors, static_cast<uint8_t>(error)); }
 
 void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {
   low = smaller(low, lowest);

@@ -83,9 +83,7 @@ uint32_t missingExtraFrames(const Counters &counters) {
 }
 
 // Returns true if little else comes between the frames.
-bool areFrames(const Counters &counters) {
-  return counters.discardedBytes <= (counters.frames + 1) * GroupSizeMax;
-}
+bool areFrames(const Counters &counters) { return counters.discardedBytes <= (counters.frames + 1) * GroupSizeMax; }
 
 // Returns true if the frames come seldom: at that period they fill half of the time or more.
 bool isLongPeriod(const Trial &trial) {
@@ -94,23 +92,15 @@ bool isLongPeriod(const Trial &trial) {
 }
 
 // Returns the fault to name of two: bytes from a wrong setting may look like IdleLevel.
-Finding firstOf(Finding a, Finding b) {
-  return a == Finding::NoSignal || (b != Finding::NoSignal && b < a) ? b : a;
-}
+Finding firstOf(Finding a, Finding b) { return a == Finding::NoSignal || (b != Finding::NoSignal && b < a) ? b : a; }
 
-uint32_t framesOfEitherSize(const Counters &counters) {
-  return counters.frames + counters.otherSizeFrames;
-}
+uint32_t framesOfEitherSize(const Counters &counters) { return counters.frames + counters.otherSizeFrames; }
 
 }  // namespace
 
-Text text(Finding finding) {
-  return textOf(Words, 2 * static_cast<uint8_t>(finding));
-}
+Text text(Finding finding) { return textOf(Words, 2 * static_cast<uint8_t>(finding)); }
 
-Text remedy(Finding finding) {
-  return textOf(Words, 2 * static_cast<uint8_t>(finding) + 1);
-}
+Text remedy(Finding finding) { return textOf(Words, 2 * static_cast<uint8_t>(finding) + 1); }
 
 uint32_t impairedFrames(const Counters &counters) {
   if (counters.resyncs == 0) {

@@ -10,8 +10,8 @@ namespace sbus {
 /// Takes the lost-frame flag of each frame. Only a program that diagnoses a line needs it: 10 bytes of RAM.
 class FlagRhythm {
  public:
-  /// As many runs of frames with or without the flag; of a line that loses every second frame at random, one in 4000 has
-  /// such a rhythm in its first 27 runs, and others hardly ever.
+  /// As many runs of frames with or without the flag; of a line that loses every second frame at random, one in 4000
+  /// has such a rhythm in its first 27 runs, and others hardly ever.
   static constexpr uint8_t RunsLeast = 16;
 
   /// Takes the next frame's flag.

@@ -62,7 +62,7 @@ struct LineVariant {
 constexpr LineVariant LineVariants[] = {
     {0x00, 0xFF, 0, AnyHeader},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
     {0x04, 0xCF, 0, AnyHeader},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
-    {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
+    {0x08, 0xFF, 5, 0xFF},       // Futaba R7003SB, FASSTest 12CH
 };
 constexpr uint8_t VariantCount = sizeof LineVariants / sizeof LineVariants[0];  ///< rows
 constexpr uint8_t SlotsVariant = 1;                                             ///< the row with telemetry slots
@@ -89,16 +89,12 @@ constexpr uint8_t variantOfEnd<VariantCount>(uint8_t) {
 }
 
 /// Returns true if a frame may end with this byte: 00, 04, 14, 24, 34 or 08.
-constexpr bool isEndByte(uint8_t byte) {
-  return variantOfEnd(byte) != UnknownVariant;
-}
+constexpr bool isEndByte(uint8_t byte) { return variantOfEnd(byte) != UnknownVariant; }
 
 constexpr uint8_t NotInEndBytes = 0xC3;  ///< bits that are 0 in every end byte
 
 /// Returns true if the unused bits of this flags byte are 0.
-constexpr bool isFlagsByte(uint8_t byte) {
-  return (byte & FlagsUnused) == 0;
-}
+constexpr bool isFlagsByte(uint8_t byte) { return (byte & FlagsUnused) == 0; }
 
 /// Returns true if `frame` (25 bytes) has the header, flags and end byte of a frame. S.Bus has no checksum.
 constexpr bool isFrame(const uint8_t *frame) {
@@ -165,15 +161,15 @@ void pack24(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount24> channel
 
 /// The format of a frame of 16 channels, for templates.
 struct Frame16 {
-  using Value = ::SBusFrame;                           ///< what read() writes
-  static constexpr uint8_t Size = FrameSize;           ///< bytes, the flags and the end byte last
-  static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
+  using Value = ::SBusFrame;                         ///< what read() writes
+  static constexpr uint8_t Size = FrameSize;         ///< bytes, the flags and the end byte last
+  static constexpr uint8_t Channels = ChannelCount;  ///< values that unpack() writes
   static constexpr uint8_t Variants = VariantCount;  ///< how many rows of LineVariants such lines can have
-  static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
-  static constexpr bool HasSlots = true;               ///< telemetry slots may follow: S.BUS2
-  static constexpr bool HasExtra = false;              ///< frames with extra channels are accepted
-  static constexpr bool ZeroMeansLost = false;         ///< unpack() leaves the channels of some lost frames alone
-  static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
+  static constexpr uint8_t OtherSize = FrameSize24;  ///< bytes of a frame of the other format
+  static constexpr bool HasSlots = true;             ///< telemetry slots may follow: S.BUS2
+  static constexpr bool HasExtra = false;            ///< frames with extra channels are accepted
+  static constexpr bool ZeroMeansLost = false;       ///< unpack() leaves the channels of some lost frames alone
+  static constexpr unsigned LongestSpread = 22;      ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
   /// of 3.
   static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }

@@ -88,9 +88,7 @@ class FrameBuffer {
   }
 
   /// Drops the incoming frame, which began at `beginning` before drop().
-  void restart(uint8_t *beginning) {
-    _incoming = beginning;
-  }
+  void restart(uint8_t *beginning) { _incoming = beginning; }
 
   /// Completes the frame at the beginning of the buffer, and returns it. The bytes after it continue in the other
   /// place.

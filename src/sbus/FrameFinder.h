@@ -18,9 +18,9 @@ namespace sbus {
 /// these functions can take its place. Places are counted from the first byte that taken(), discarded() and extra()
 /// have not reported yet.
 struct NoEvents {
-  void begin() {}                          ///< reset() was called: all is forgotten
-  void interval(uint32_t) {}               ///< the next frame came this many us after the previous one; see Counters
-  void taken(const uint8_t *) {}           ///< the next bytes are this frame
+  void begin() {}                 ///< reset() was called: all is forgotten
+  void interval(uint32_t) {}      ///< the next frame came this many us after the previous one; see Counters
+  void taken(const uint8_t *) {}  ///< the next bytes are this frame
   /// The next 25 bytes are this frame with header 2F, which was not yet complete at this time, us.
   void extra(const uint8_t *, uint32_t) {}
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
@@ -141,8 +141,9 @@ class FrameFinderOf : private Events {
     return _buffer.filled() < Format::Size ? nullptr : acceptAfterSilence(_timing.template silenceAfter<Format>());
   }
 
-  /// The line was idle for a character or more after the last byte, or the next character was damaged. Returns the frame
-  /// that this proves, or nullptr. (Nearly always the frame has been delivered: then a search is spared, 46 cycles.)
+  /// The line was idle for a character or more after the last byte, or the next character was damaged. Returns the
+  /// frame that this proves, or nullptr. (Nearly always the frame has been delivered: then a search is spared, 46
+  /// cycles.)
   ///
   /// Before the first frame this is no proof, unless as many characters came between the two gaps before: a frame of 24
   /// channels with a damaged character has 25 characters, and then ten.
@@ -303,8 +304,8 @@ class FrameFinderOf : private Events {
     }
   }
 
-  // Returns true if characters that came too late to follow those before them are the rest of the frame that is due: its
-  // sender stretches frames, and the rest of another frame would come a period later.
+  // Returns true if characters that came too late to follow those before them are the rest of the frame that is due:
+  // its sender stretches frames, and the rest of another frame would come a period later.
   bool isLateOnly() const {
     return LineTiming::ClockRuns && _sizeCheck.isStretched() && isDue() && isInTime(_timing.lastPoll(), 0);
   }
@@ -453,11 +454,11 @@ class FrameFinderOf : private Events {
     const bool isFirst = start == 0;
     const bool isInSync = distance == 0 && _aligned;
     return rules::judge(
-        Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
-                          isFirst ? _buffer.inside() : Silence::Unknown,
-                          isFirst && (isInSync && _counters.period != 0 ? isInTime(_completeBy, Unsteady)
-                                                                        : _buffer.beginsWide()),
-                          variant, _variant, distance, isInSync},
+        Candidate<Format>{
+            _buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
+            isFirst ? _buffer.inside() : Silence::Unknown,
+            isFirst && (isInSync && _counters.period != 0 ? isInTime(_completeBy, Unsteady) : _buffer.beginsWide()),
+            variant, _variant, distance, isInSync},
         _sizeCheck);
   }
 
@@ -510,8 +511,8 @@ class FrameFinderOf : private Events {
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
-  uint32_t _completeBy;     // us: time of the poll that brought its end
-  uint32_t _takenBy;        // us: likewise, of the last frame
+  uint32_t _completeBy;  // us: time of the poll that brought its end
+  uint32_t _takenBy;     // us: likewise, of the last frame
   Counters _counters;
 };
 

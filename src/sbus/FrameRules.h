@@ -83,9 +83,7 @@ constexpr int MostNoise = 4;  ///< characters in a row that may be noise
 constexpr int FirstDistance = 2;
 
 /// Returns true if the unused bits of the flags are 0.
-SBUS_IN_LINE bool areFlags(uint8_t byte) {
-  return isFlagsByte(byte);
-}
+SBUS_IN_LINE bool areFlags(uint8_t byte) { return isFlagsByte(byte); }
 
 /// Returns true if a gap lies inside: the end of one frame and the start of the next, or a stretched frame.
 template <typename Format>
@@ -166,9 +164,7 @@ SBUS_IN_LINE bool silenceMayProve(const Candidate<Format> &c, int inner) {
 }
 
 /// Returns true if this may be the break that some receivers send after each frame and each slot (a Futaba R7008SB).
-SBUS_IN_LINE bool isBreak(uint8_t byte) {
-  return byte == 0;
-}
+SBUS_IN_LINE bool isBreak(uint8_t byte) { return byte == 0; }
 
 /// Returns true if its end byte may be a break: it may be an S.BUS2 frame that has lost a character.
 template <typename Format>

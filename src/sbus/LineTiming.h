@@ -13,8 +13,8 @@ constexpr unsigned long SlowestBaud = 47059;
 /// The longest silence, in characters, that a port waits for before it hands over less than a burst: the RP2040's.
 constexpr uint8_t MostIdleCharacters = 4;
 
-/// A silence before a byte, or after one: how certain it is, and how long. Ask isCertain() for the one, isWide() for the
-/// other.
+/// A silence before a byte, or after one: how certain it is, and how long. Ask isCertain() for the one, isWide() for
+/// the other.
 enum class Silence : uint8_t {
   Unknown,  ///< perhaps none
   Likely,   ///< doubtful: a gap, unless loop() was blocked
@@ -24,14 +24,10 @@ enum class Silence : uint8_t {
 };
 
 /// Returns true if the line was certainly silent.
-constexpr bool isCertain(Silence silence) {
-  return silence >= Silence::Gap;
-}
+constexpr bool isCertain(Silence silence) { return silence >= Silence::Gap; }
 
 /// Returns true if it was certainly silent for longer than a sender is within a frame.
-constexpr bool isWide(Silence silence) {
-  return silence >= Silence::Wide;
-}
+constexpr bool isWide(Silence silence) { return silence >= Silence::Wide; }
 
 /// Ports hand bytes over late and in bursts: the Grasshopper's after 16 bytes, or when the line was idle for one
 /// character. So the first byte that a poll finds began at most one burst before the last empty poll, and the previous

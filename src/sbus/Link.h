@@ -75,8 +75,8 @@ class Link {
   /// Returns the state if age() has returned `age`, us; NeverSeen before the first frame.
   LinkState state(uint32_t age) const { return isStale(age) && seen() ? LinkState::Stale : _state; }
 
-  /// Extends `age`, us, of the newest frame by a clock that wraps: after 71 minutes returns UINT32_MAX until the next frame.
-  /// Call it at least once an hour. Undefined before the first frame.
+  /// Extends `age`, us, of the newest frame by a clock that wraps: after 71 minutes returns UINT32_MAX until the next
+  /// frame. Call it at least once an hour. Undefined before the first frame.
   uint32_t age(uint32_t age) {
     const uint8_t whole = static_cast<uint8_t>(age >> 24);
     const uint8_t aged = whole < Wrapped ? whole : Wrapped - 1;

@@ -183,8 +183,7 @@ bool OtherProtocols::isSpektrum() const {
   for (uint8_t packet = 0; packet < SpektrumPackets; packet++) {
     const uint8_t first = static_cast<uint8_t>(All - 1 - SpektrumSize * packet);
     const uint16_t seen = identifiers(first);
-    if (seen == 0 || at(static_cast<uint8_t>(first - 1)) != system ||
-        (packet > 1 && seen != before[packet % 2])) {
+    if (seen == 0 || at(static_cast<uint8_t>(first - 1)) != system || (packet > 1 && seen != before[packet % 2])) {
       return false;
     }
     before[packet % 2] = seen;

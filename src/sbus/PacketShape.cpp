@@ -26,9 +26,7 @@ void PacketShape::put(uint8_t byte) {
   _packet.size = static_cast<uint8_t>(at < UINT8_MAX ? at + 1 : at);
 }
 
-void PacketShape::spoil() {
-  _isSpoilt = true;
-}
+void PacketShape::spoil() { _isSpoilt = true; }
 
 // Returns what the packet has that a frame, perhaps with a tail, does not have; NoSignal if it is one.
 Finding PacketShape::fault() const {

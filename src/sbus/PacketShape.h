@@ -43,10 +43,10 @@ class PacketShape {
 
   PacketForm _packet = PacketForm();  // as far as it has come
   PacketForm _usual = PacketForm();
-  uint8_t _end = 0;         // its byte 24
-  bool _endsAs24 = false;   // bytes 34 and 35 are flags and an end byte
-  bool _isSpoilt = true;    // its beginning is missing, or a byte is wrong
-  uint8_t _run = 0;         // packets of the usual form
+  uint8_t _end = 0;        // its byte 24
+  bool _endsAs24 = false;  // bytes 34 and 35 are flags and an end byte
+  bool _isSpoilt = true;   // its beginning is missing, or a byte is wrong
+  uint8_t _run = 0;        // packets of the usual form
   Finding _found = Finding::NoSignal;
 };
 

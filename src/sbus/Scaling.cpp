@@ -15,9 +15,7 @@ struct Points {
 constexpr Points Pulses = {LowPulse, CentrePulse, HighPulse};
 constexpr Points Thousandths = {-1000, 0, 1000};
 
-Points pointsOf(const Range &range) {
-  return {range.low, range.centre, range.high};
-}
+Points pointsOf(const Range &range) { return {range.low, range.centre, range.high}; }
 
 // Rounds to the nearest, and halves away from 0.
 int32_t divided(int32_t dividend, int32_t divisor) {
@@ -40,23 +38,15 @@ int16_t narrow(int32_t value) {
   return static_cast<int16_t>(value < -INT16_MAX ? -INT16_MAX : value > INT16_MAX ? INT16_MAX : value);
 }
 
-uint16_t rawOf(int32_t value) {
-  return static_cast<uint16_t>(value < 0 ? 0 : value > ChannelMax ? ChannelMax : value);
-}
+uint16_t rawOf(int32_t value) { return static_cast<uint16_t>(value < 0 ? 0 : value > ChannelMax ? ChannelMax : value); }
 
 }  // namespace
 
-int16_t toMicroseconds(uint16_t raw, const Range &range) {
-  return narrow(converted(raw, pointsOf(range), Pulses));
-}
+int16_t toMicroseconds(uint16_t raw, const Range &range) { return narrow(converted(raw, pointsOf(range), Pulses)); }
 
-uint16_t fromMicroseconds(int16_t us, const Range &range) {
-  return rawOf(converted(us, Pulses, pointsOf(range)));
-}
+uint16_t fromMicroseconds(int16_t us, const Range &range) { return rawOf(converted(us, Pulses, pointsOf(range))); }
 
-int16_t toNormalized(uint16_t raw, const Range &range) {
-  return narrow(converted(raw, pointsOf(range), Thousandths));
-}
+int16_t toNormalized(uint16_t raw, const Range &range) { return narrow(converted(raw, pointsOf(range), Thousandths)); }
 
 uint16_t fromNormalized(int16_t thousandths, const Range &range) {
   return rawOf(converted(thousandths, Thousandths, pointsOf(range)));

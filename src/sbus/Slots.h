@@ -39,9 +39,7 @@ constexpr uint8_t slotId(uint8_t number) {
 
 /// Returns true if `byte` may be the ID of a slot, the first of three characters that a sensor sends. Its next two bits
 /// are the group that the previous end byte announced; some home-made sensors send another group's bits.
-constexpr bool isSlotId(uint8_t byte) {
-  return (byte & 0x07) == 0x03;
-}
+constexpr bool isSlotId(uint8_t byte) { return (byte & 0x07) == 0x03; }
 
 /// Returns the number, 0..31, of the slot with this ID; undefined if isSlotId(id) is false.
 constexpr uint8_t slotOfId(uint8_t id) {
@@ -55,9 +53,7 @@ constexpr uint8_t firstSlotOf(uint8_t end) {
 }
 
 /// Returns true if slots may follow a frame with this end byte.
-constexpr bool announcesSlots(uint8_t end) {
-  return endsVariant(end, SlotsVariant) || endsVariant(end, TailVariant);
-}
+constexpr bool announcesSlots(uint8_t end) { return endsVariant(end, SlotsVariant) || endsVariant(end, TailVariant); }
 
 /// Splits the `count` characters between a frame with this end byte and the next frame into `slots` (room for 8).
 /// Returns how many there are; -1 if the characters are not just slots of the announced group in rising order. There is

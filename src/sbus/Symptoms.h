@@ -25,12 +25,12 @@ class Symptoms : public NoEvents {
   uint32_t pulseless() const { return _pulseless; }
 
   // The events of a FrameFinder.
-  void begin() { *this = Symptoms(); }           ///< see NoEvents
-  void taken(const uint8_t *frame);              ///< see NoEvents
+  void begin() { *this = Symptoms(); }                                   ///< see NoEvents
+  void taken(const uint8_t *frame);                                      ///< see NoEvents
   void extra(const uint8_t *frame, uint32_t) { put(frame, FrameSize); }  ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);                       ///< see NoEvents
-  void lost() { _packets.spoil(); }              ///< see NoEvents
-  void gap(int filled);                          ///< see NoEvents
+  void lost() { _packets.spoil(); }                                      ///< see NoEvents
+  void gap(int filled);                                                  ///< see NoEvents
 
  private:
   static constexpr uint8_t GapsMax = 8;

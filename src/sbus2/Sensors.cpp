@@ -18,9 +18,7 @@ constexpr uint8_t South = 0x10;  // or west, in the byte with a GPS-F1675's high
 __attribute__((noinline)) int32_t within(int32_t lowest, int32_t highest, int32_t value) {
   return value < lowest ? lowest : value > highest ? highest : value;
 }
-unsigned atMost(unsigned highest, unsigned value) {
-  return value > highest ? highest : value;
-}
+unsigned atMost(unsigned highest, unsigned value) { return value > highest ? highest : value; }
 int within14(int value) {
   constexpr int Highest = Valid14 - 1, Lowest = -Highest - 1;
   return value < Lowest ? Lowest : value > Highest ? Highest : value;
@@ -31,30 +29,16 @@ bool isPosition(int32_t latitude, int32_t longitude) {
 }
 
 // Most sensors send the high byte first.
-uint16_t wordOf(const SlotData &slot) {
-  return static_cast<uint16_t>(slot.data0 << 8 | slot.data1);
-}
-uint16_t swappedWordOf(const SlotData &slot) {
-  return static_cast<uint16_t>(slot.data1 << 8 | slot.data0);
-}
-SlotData slotOf(unsigned word) {
-  return {static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word)};
-}
-SlotData swappedSlotOf(unsigned word) {
-  return {static_cast<uint8_t>(word), static_cast<uint8_t>(word >> 8)};
-}
+uint16_t wordOf(const SlotData &slot) { return static_cast<uint16_t>(slot.data0 << 8 | slot.data1); }
+uint16_t swappedWordOf(const SlotData &slot) { return static_cast<uint16_t>(slot.data1 << 8 | slot.data0); }
+SlotData slotOf(unsigned word) { return {static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word)}; }
+SlotData swappedSlotOf(unsigned word) { return {static_cast<uint8_t>(word), static_cast<uint8_t>(word >> 8)}; }
 
 // Valid14 is set in every negative value down to -16384 anyway, so the mark costs no value.
-int16_t signed14(uint16_t word) {
-  return static_cast<int16_t>((word & Valid15) != 0 ? word : word & (Valid14 - 1));
-}
-SlotData slotOf14(int value) {
-  return slotOf((static_cast<unsigned>(value) & 0xFFFF) | Valid14);
-}
+int16_t signed14(uint16_t word) { return static_cast<int16_t>((word & Valid15) != 0 ? word : word & (Valid14 - 1)); }
+SlotData slotOf14(int value) { return slotOf((static_cast<unsigned>(value) & 0xFFFF) | Valid14); }
 
-int16_t signed16(const SlotData &slot) {
-  return static_cast<int16_t>(wordOf(slot));
-}
+int16_t signed16(const SlotData &slot) { return static_cast<int16_t>(wordOf(slot)); }
 
 // Returns an angle of a GPS-F1675: degrees, sign and the four highest bits of the minutes, then their lower bits.
 // Clears `isFix` if they are 60 minutes or more.
@@ -158,18 +142,14 @@ bool TemperatureSbs01T::encode(SlotData *slots) const {
   return sent == degrees;
 }
 
-void TemperatureF1713::decode(const SlotData *slots) {
-  degrees = signed14(wordOf(slots[0]));
-}
+void TemperatureF1713::decode(const SlotData *slots) { degrees = signed14(wordOf(slots[0])); }
 bool TemperatureF1713::encode(SlotData *slots) const {
   const int sent = within14(degrees);
   slots[0] = slotOf14(sent);
   return sent == degrees;
 }
 
-void RotationSbs01R::decode(const SlotData *slots) {
-  rpm = 6ul * swappedWordOf(slots[0]);
-}
+void RotationSbs01R::decode(const SlotData *slots) { rpm = 6ul * swappedWordOf(slots[0]); }
 bool RotationSbs01R::encode(SlotData *slots) const {
   const uint32_t value = rpm / 6;
   const bool fits = value <= UINT16_MAX;
@@ -224,9 +204,7 @@ bool VarioF1712::encode(SlotData *slots) const {
   return altitude == metres;
 }
 
-void AirSpeedSbs01Tas::decode(const SlotData *slots) {
-  kilometresPerHour = wordOf(slots[0]) & (Valid14 - 1);
-}
+void AirSpeedSbs01Tas::decode(const SlotData *slots) { kilometresPerHour = wordOf(slots[0]) & (Valid14 - 1); }
 bool AirSpeedSbs01Tas::encode(SlotData *slots) const {
   const unsigned sent = atMost(Valid14 - 1, kilometresPerHour);
   slots[0] = slotOf(sent | Valid14);

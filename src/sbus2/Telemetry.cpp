@@ -15,9 +15,7 @@ constexpr uint32_t RoundUs = 4 * FrameUs;
 constexpr uint8_t MostBeforeNext = 2 * GroupSizeMax + FrameSize - 1;
 
 // Returns the end byte that follows this one: 04, 14, 24, 34, 04.
-constexpr uint8_t nextEnd(uint8_t end) {
-  return static_cast<uint8_t>((end + 0x10) & 0x3F);
-}
+constexpr uint8_t nextEnd(uint8_t end) { return static_cast<uint8_t>((end + 0x10) & 0x3F); }
 
 }  // namespace
 

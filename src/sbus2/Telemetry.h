@@ -40,11 +40,11 @@ class Telemetry : public NoEvents {
   void forgetAll();
 
   // The events of a FrameFinder.
-  void begin();                                         ///< see NoEvents
-  void interval(uint32_t us) { _interval = us; }        ///< see NoEvents
-  void taken(const uint8_t *frame);                     ///< see NoEvents
-  void lost() { _count = Lost; }                        ///< see NoEvents
-  void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
+  void begin();                                     ///< see NoEvents
+  void interval(uint32_t us) { _interval = us; }    ///< see NoEvents
+  void taken(const uint8_t *frame);                 ///< see NoEvents
+  void lost() { _count = Lost; }                    ///< see NoEvents
+  void discarded(const uint8_t *bytes, int count);  ///< see NoEvents
 
  protected:
   /// Moves the data that slot `slot` brought between the two newest frames to `data`. Returns false if it brought none.

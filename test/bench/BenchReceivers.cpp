@@ -27,10 +27,6 @@ int MemorySerial::read(uint8_t *buffer, size_t size) {
   return static_cast<int>(count);
 }
 
-void Ours::parse() {
-  receiver.parseSBusFrame();
-}
+void Ours::parse() { receiver.parseSBusFrame(); }
 
-void Papers::parse() {
-  receiver.parseSBusFrame();
-}
+void Papers::parse() { receiver.parseSBusFrame(); }

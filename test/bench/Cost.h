@@ -17,7 +17,8 @@ inline void start() {
   sysTick(0) = 5;  // counts down, at the processor's clock, without interrupt
 }
 
-// Returns how many instructions `work` takes with its call: from setting up the arguments to the return. A million at most.
+// Returns how many instructions `work` takes with its call: from setting up the arguments to the return. A million at
+// most.
 template <typename Work>
 __attribute__((noinline)) uint32_t of(const Work &work) {
   const uint32_t before = sysTick(2);

@@ -97,9 +97,7 @@ uint32_t costOfUnpacking(const Unpack &unpack) {
   return most;
 }
 
-double perFrame(uint32_t number) {
-  return static_cast<double>(number) / MeasuredFrames;
-}
+double perFrame(uint32_t number) { return static_cast<double>(number) / MeasuredFrames; }
 
 }  // namespace
 
@@ -114,7 +112,8 @@ void printFrames() {
     std::printf("| ... and calls of the port | %.1f | %.1f |\n", perFrame(ours.portCalls), perFrame(papers.portCalls));
   }
   std::printf("| decode: decodeSBusFrame() | %lu | - |\n", static_cast<unsigned long>(costOfDecoding()));
-  std::printf("| sbus::unpack(), sbus::unpackAligned() | %lu, %lu | - |\n", static_cast<unsigned long>(costOfUnpacking(sbus::unpack)),
+  std::printf("| sbus::unpack(), sbus::unpackAligned() | %lu, %lu | - |\n",
+              static_cast<unsigned long>(costOfUnpacking(sbus::unpack)),
               static_cast<unsigned long>(costOfUnpacking(sbus::unpackAligned)));
   std::printf("| encode: sbus::pack() | %lu | - |\n", static_cast<unsigned long>(costOfPacking()));
 }

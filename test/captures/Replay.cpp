@@ -150,8 +150,8 @@ int main(int argc, char **argv) {
     const auto known = Known.find(name);
     for (const uint32_t loopUs : {50u, 3000u}) {
       std::printf("%s, loop() of %u us: ", name.c_str(), loopUs);
-      const std::string wrong =
-          replay<DecodeSBus32, sbus::Frame16Extra>(recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
+      const std::string wrong = replay<DecodeSBus32, sbus::Frame16Extra>(
+          recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
       std::printf("%s captures/%s, loop() of %u us%s%s\n", wrong.empty() ? "ok" : "FAILED", name.c_str(), loopUs,
                   wrong.empty() ? (known == Known.end() ? ", of which nothing is known" : "") : ": ", wrong.c_str());
       failed = failed || !wrong.empty();

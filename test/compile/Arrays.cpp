@@ -1,18 +1,11 @@
-// What a sketch passes to a function: arrays, frames and decoders. Case 0 compiles; the others must not. Each line has the number of a case, and what the compiler says.
-// 1 The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels.18.
-// 2 The array is too small: CH1..CH24 are uint16_t channels.24.
-// 3 The array is too small: CH1..CH16 are uint16_t channels.16.
-// 4 The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels.18.
-// 5 The array is too small: CH1..CH24 are uint16_t channels.24.
-// 6 The array is too small: CH1..CH16 are uint16_t channels.16.
-// 7 The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels.18.
-// 8 nullptr_t
-// 9 const uint16_t
-// 10 SBusFrame24
-// 11 DecodeSBusTelemetryOf<.* is an inaccessible base of .*SBus2Sensor
-// 12 DecodeSBusOf<.* is an inaccessible base of .*SBus2Sensor
-// 13 no member named .*decodeExtraChannels
-// 14 Write DecodeSBus dSBus(Serial1), without the &
+// What a sketch passes to a function: arrays, frames and decoders. Case 0 compiles; the others must not. Each line has
+// the number of a case, and what the compiler says. 1 The array is too small: CH1..CH16, CH17 and CH18 are uint16_t
+// channels.18. 2 The array is too small: CH1..CH24 are uint16_t channels.24. 3 The array is too small: CH1..CH16 are
+// uint16_t channels.16. 4 The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels.18. 5 The array is too
+// small: CH1..CH24 are uint16_t channels.24. 6 The array is too small: CH1..CH16 are uint16_t channels.16. 7 The array
+// is too small: CH1..CH16, CH17 and CH18 are uint16_t channels.18. 8 nullptr_t 9 const uint16_t 10 SBusFrame24 11
+// DecodeSBusTelemetryOf<.* is an inaccessible base of .*SBus2Sensor 12 DecodeSBusOf<.* is an inaccessible base of
+// .*SBus2Sensor 13 no member named .*decodeExtraChannels 14 Write DecodeSBus dSBus(Serial1), without the &
 #include <DecodeSBus32.h>
 #include <EncodeSBus.h>
 #include <SBus2Sensor.h>
@@ -37,9 +30,7 @@ bool failsafe, lostFrame;
 SBusFrame frame;
 SBusFrame24 frame24;
 
-void function(uint16_t channels[]) {
-  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
-}
+void function(uint16_t channels[]) { dSBus.decodeSBusFrame(channels, failsafe, lostFrame); }
 
 template <typename Events, typename Polling>
 void openTelemetry(DecodeSBusTelemetryOf<Events, Polling> &decoder) {

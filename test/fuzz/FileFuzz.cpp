@@ -14,14 +14,16 @@ void requireRereadable(const std::deque<line::Character> &characters, uint32_t c
   std::string written;
   for (const line::Character &character : characters) {
     char line[40];
-    std::snprintf(line, sizeof line, "%llu %02X%s\n", static_cast<unsigned long long>(character.endUs), character.value, character.bad ? "!" : "");
+    std::snprintf(line, sizeof line, "%llu %02X%s\n", static_cast<unsigned long long>(character.endUs), character.value,
+                  character.bad ? "!" : "");
     written += line;
   }
   const line::Recording again = line::parseRecording(written, characterUs);
   require(again.error.empty() && again.characters.size() == characters.size(), "it can be written down");
   for (size_t i = 0; i < characters.size(); i++) {
     const line::Character &one = characters[i], other = again.characters[i];
-    require(other.endUs == one.endUs && other.value == one.value && other.bad == one.bad, "times, bytes and errors are kept");
+    require(other.endUs == one.endUs && other.value == one.value && other.bad == one.bad,
+            "times, bytes and errors are kept");
   }
 }
 

@@ -9,9 +9,9 @@
 //   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13 and 14), a poll without time (x =
 //   15)
 //
-// Each input is taken five times for each frame size: polled, by events, by a port that tells when its line was idle, as
-// the Grasshopper's; by calls in any order, each of which a byte after its operation chooses (Any); and so by a clock that
-// jumps (x = 8..12) and stops, and a port that loses bytes that wait.
+// Each input is taken five times for each frame size: polled, by events, by a port that tells when its line was idle,
+// as the Grasshopper's; by calls in any order, each of which a byte after its operation chooses (Any); and so by a
+// clock that jumps (x = 8..12) and stops, and a port that loses bytes that wait.
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -157,8 +157,8 @@ class Sketch {
   const Calls _calls;
   sbus::FrameFinderOf<Format, Events> _finder;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
-  uint32_t _call = 0;  // the time of the newest call
-  unsigned _ring = 0;  // bytes that have come
+  uint32_t _call = 0;          // the time of the newest call
+  unsigned _ring = 0;          // bytes that have come
   std::vector<uint8_t> _waiting;
   std::vector<uint32_t> _waitingNotBy;  // for each, the time of the last call that did not find it
   std::vector<uint8_t> _fed;            // since the last break

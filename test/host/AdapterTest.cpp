@@ -35,13 +35,13 @@ struct Row {
   uint32_t periodUs;
 };
 constexpr Row Rows[] = {
-    {"16 channels", Kind::Plain, 0, 4000},        {"16 channels", Kind::Plain, 0, 6300},
-    {"16 channels", Kind::Plain, 0, 9000},        {"16 channels", Kind::Plain, 0, 15000},
-    {"24 channels", Kind::Channels24, 0, 5000},   {"24 channels", Kind::Channels24, 0, 9000},
-    {"24 channels", Kind::Channels24, 0, 15000},  {"S.BUS2, 2 slots", Kind::Sbus2, 2, 7000},
-    {"S.BUS2, 2 slots", Kind::Sbus2, 2, 15000},   {"S.BUS2, 8 slots", Kind::Sbus2, 8, 15000},
-    {"FASSTest 26", Kind::With2F, 0, 14000},      {"FASSTest 26", Kind::With2F, 0, 18000},
-    {"R7003SB", Kind::R7003SB, 0, 7000},          {"R7003SB", Kind::R7003SB, 0, 15000},
+    {"16 channels", Kind::Plain, 0, 4000},       {"16 channels", Kind::Plain, 0, 6300},
+    {"16 channels", Kind::Plain, 0, 9000},       {"16 channels", Kind::Plain, 0, 15000},
+    {"24 channels", Kind::Channels24, 0, 5000},  {"24 channels", Kind::Channels24, 0, 9000},
+    {"24 channels", Kind::Channels24, 0, 15000}, {"S.BUS2, 2 slots", Kind::Sbus2, 2, 7000},
+    {"S.BUS2, 2 slots", Kind::Sbus2, 2, 15000},  {"S.BUS2, 8 slots", Kind::Sbus2, 8, 15000},
+    {"FASSTest 26", Kind::With2F, 0, 14000},     {"FASSTest 26", Kind::With2F, 0, 18000},
+    {"R7003SB", Kind::R7003SB, 0, 7000},         {"R7003SB", Kind::R7003SB, 0, 15000},
 };
 
 struct Count {

@@ -223,7 +223,8 @@ TEST_CASE("sticks that move in one frame of a hundred, by a step or two: the del
 
 TEST_CASE("sticks that do not move: nothing tells the delay, which is said") {
   Lines lines;
-  errorOf(lines, 3000, 900000, [](int) { return valuesAt(0, 1); }, [](size_t, int i) { return i % 100 == 0; });
+  errorOf(
+      lines, 3000, 900000, [](int) { return valuesAt(0, 1); }, [](size_t, int i) { return i % 100 == 0; });
   CHECK(lines.comparison.aligner().by() == line::DelayBy::Times);
   CHECK_FALSE(lines.comparison.aligner().isCertain());
   CHECK(lines.comparison.aligner().evidence() == "the times alone: not certain");
@@ -248,7 +249,8 @@ TEST_CASE("the first difference has the switch's name: CH17 and CH18 of 16 chann
     std::array<unsigned, 2> channels;
     size_t which;
     const char *name;
-  } rows[] = {{{16, 16}, 0, "CH17"}, {{16, 16}, 1, "CH18"}, {{32, 32}, 0, "DG1"}, {{32, 32}, 1, "DG2"}, {{16, 32}, 0, "DG1"}};
+  } rows[] = {
+      {{16, 16}, 0, "CH17"}, {{16, 16}, 1, "CH18"}, {{32, 32}, 0, "DG1"}, {{32, 32}, 1, "DG2"}, {{16, 32}, 0, "DG1"}};
   for (const auto &row : rows) {
     CAPTURE(row.name);
     Lines lines;

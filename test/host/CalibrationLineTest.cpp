@@ -30,7 +30,8 @@ std::array<Range, 18> ranges(unsigned fromMs, unsigned untilMs) {
       line.next(UINT64_MAX, character);
       byte = character.value;
     }
-    CHECK(((sbus::Frame16::flags(frame.data()) & sbus::FlagLostFrame) != 0) == (ms / 9 % 100 == 60 || ms / 9 % 100 == 61));
+    CHECK(((sbus::Frame16::flags(frame.data()) & sbus::FlagLostFrame) != 0) ==
+          (ms / 9 % 100 == 60 || ms / 9 % 100 == 61));
     Channels channels;
     sbus::unpack(frame.data(), channels.data());
     for (size_t i = 0; i < 18 && ms % PeriodMs >= fromMs && ms % PeriodMs < untilMs; i++) {

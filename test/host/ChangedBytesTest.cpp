@@ -28,7 +28,8 @@ std::vector<Bytes> flight(uint64_t seed) {
   std::vector<Bytes> frames;
   while (frames.size() < Frames) {
     for (size_t i = 0; i < 4; i++) {
-      channels[i] = static_cast<uint16_t>(std::clamp<int>(channels[i] + static_cast<int>(random.below(61)) - 30, 172, 1811));
+      channels[i] =
+          static_cast<uint16_t>(std::clamp<int>(channels[i] + static_cast<int>(random.below(61)) - 30, 172, 1811));
     }
     const Frame frame = writeBitByBit(channels);
     frames.emplace_back(frame.begin(), frame.end());
@@ -46,7 +47,8 @@ Bytes replaced(const Bytes &bytes, Bytes (*each)(char)) {
 
 Bytes utf8(char c) {
   const auto value = static_cast<uint8_t>(c);
-  return value < 0x80 ? Bytes(1, c) : Bytes{static_cast<char>(0xC0 | value >> 6), static_cast<char>(0x80 | (value & 0x3F))};
+  return value < 0x80 ? Bytes(1, c)
+                      : Bytes{static_cast<char>(0xC0 | value >> 6), static_cast<char>(0x80 | (value & 0x3F))};
 }
 
 // The frames that a file of these bytes shows.
@@ -79,7 +81,8 @@ TEST_CASE("of bytes that another program changed, every frame is one that was se
   const auto replacement = [](char c) { return c < 0 ? Bytes("\xEF\xBF\xBD") : Bytes(1, c); };
   const auto crLf = [](char c) { return c == '\n' ? Bytes("\r\n") : Bytes(1, c); };
   const auto withoutFlow = [](char c) { return c == 0x11 || c == 0x13 ? Bytes() : Bytes(1, c); };
-  // All: each file of 40 frames shows 40. Whole: those that were not changed, and the file is named if it lacks five or more.
+  // All: each file of 40 frames shows 40. Whole: those that were not changed, and the file is named if it lacks five or
+  // more.
   enum class Shown { All, Whole, None };
   const struct {
     const char *what;

@@ -15,9 +15,7 @@ using line::Condition;
 using line::Moment;
 
 // 1250 us are raw 500 here, and 50 % are raw 1500.
-double shown(unsigned, uint16_t raw, bool isPercent) {
-  return isPercent ? (raw - 1000) / 10.0 : raw / 2 + 1000;
-}
+double shown(unsigned, uint16_t raw, bool isPercent) { return isPercent ? (raw - 1000) / 10.0 : raw / 2 + 1000; }
 
 // A line of 16 channels after a frame without flags, all at 1000.
 Moment moment() {
@@ -41,9 +39,7 @@ Moment with(int which, double value) {
 constexpr int Ch5 = 4;
 constexpr int Ch17 = 16;
 
-double state(sbus::LinkState state) {
-  return static_cast<double>(state);
-}
+double state(sbus::LinkState state) { return static_cast<double>(state); }
 
 }  // namespace
 
@@ -125,7 +121,8 @@ TEST_CASE("a board's numbers are compared as they are printed") {
 
 TEST_CASE("an error names its place and what is expected there") {
   constexpr const char *name =
-      "a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! or ( is expected";
+      "a channel such as ch5, failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, state, age, quality, ! "
+      "or ( is expected";
   constexpr const char *sign = "<, <=, >, >=, = or != is expected";
   constexpr const char *value = "a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected";
   constexpr const char *age = "a time with its unit, such as 50ms or 0.05s, is expected";

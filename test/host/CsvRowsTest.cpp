@@ -33,8 +33,8 @@ TEST_CASE("rows are read: values and their text") {
 }
 
 TEST_CASE("rows of a German spreadsheet are read: semicolons or tabs, and decimal commas") {
-  for (const char *text : {"time;CH1\n0,009;1500,5\n", "time\tCH1\n0,009\t1500,5\n", "0,009; 1500,5;\n", "t:0,009;x:1500,5\n",
-                           "0.009,\t1500.5\n", "0.009\t1500.5\t\n"}) {
+  for (const char *text : {"time;CH1\n0,009;1500,5\n", "time\tCH1\n0,009\t1500,5\n", "0,009; 1500,5;\n",
+                           "t:0,009;x:1500,5\n", "0.009,\t1500.5\n", "0.009\t1500.5\t\n"}) {
     CAPTURE(text);
     CsvRows rows;
     for (const char c : std::string(text)) {

@@ -28,7 +28,8 @@ Frames flight(line::Random &random) {
   Frames frames(12);
   for (Frame &frame : frames) {
     for (size_t i = 0; i < 4; i++) {
-      channels[i] = static_cast<uint16_t>(std::clamp<int>(channels[i] + static_cast<int>(random.below(61)) - 30, 172, 1811));
+      channels[i] =
+          static_cast<uint16_t>(std::clamp<int>(channels[i] + static_cast<int>(random.below(61)) - 30, 172, 1811));
     }
     frame = writeBitByBit(channels);
   }
@@ -75,7 +76,8 @@ Frames framesIn(const std::string &file) {
 
 TEST_CASE("numbers that are no line have no frame, however often 0F and 00 are among them") {
   line::Random random(seedOfDay());
-  const std::vector<unsigned> values[] = {{0, 15, 90, 180}, {0, 1, 2, 14, 15, 16}, {0, 15, 255, 128, 64, 32, 7}, {0, 0, 15, 200}};
+  const std::vector<unsigned> values[] = {
+      {0, 15, 90, 180}, {0, 1, 2, 14, 15, 16}, {0, 15, 255, 128, 64, 32, 7}, {0, 0, 15, 200}};
   const char *const forms[] = {"%u ", "%u, ", "%02X ", "0x%02x, "};
   const char *const heads[] = {"", "temp ", "angles: "};
   unsigned claimed = 0, texts = 0;
@@ -89,7 +91,8 @@ TEST_CASE("numbers that are no line have no frame, however often 0F and 00 are a
             text += head;
             for (uint64_t k = 0; k < perLine; k++) {
               const bool isOther = random.below(4) == 0;
-              text += written(form, isOther ? static_cast<unsigned>(random.below(200)) : set[random.below(static_cast<uint32_t>(set.size()))]);
+              text += written(form, isOther ? static_cast<unsigned>(random.below(200))
+                                            : set[random.below(static_cast<uint32_t>(set.size()))]);
             }
             text += '\n';
           }
@@ -166,7 +169,8 @@ TEST_CASE("a long file without a frame at its beginning is no line, and raw fram
     return text;
   }();
   CHECK(framesIn(zeros + '\1' + bytesOf("")).empty());
-  CHECK(line::readFileHead(std::string(line::FileHeadMax, '\1'), "file").error.find("have no frame") != std::string::npos);
+  CHECK(line::readFileHead(std::string(line::FileHeadMax, '\1'), "file").error.find("have no frame") !=
+        std::string::npos);
   std::string others;
   for (int i = 0; i < 600; i++) {
     others += "\1\2";
@@ -190,9 +194,11 @@ TEST_CASE("what stands before, between and around frames costs none, in any form
     const char *what;
     size_t before, after;  // bytes of it
   };
-  const Between fillers[] = {{"", 0, 0}, {"\r\n", 0, 2}, {"\0", 0, 1}, {"\0", 1, 0}, {"\xAA\x55\xAA", 0, 3}, {"\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 0, 15}};
+  const Between fillers[] = {{"", 0, 0},   {"\r\n", 0, 2},         {"\0", 0, 1},
+                             {"\0", 1, 0}, {"\xAA\x55\xAA", 0, 3}, {"\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 0, 15}};
   const char *const forms[] = {"%02X ", "%02x", "0x%02X, ", "%u ", "%u, "};
-  const char *const heads[] = {"", "RX: ", "15:16:17 ", "15:16:17,", "15:16:17; ", "2026-11-24 15:16:16 | ", "16 25 ", "12.345 "};
+  const char *const heads[] = {"",       "RX: ",   "15:16:17 ", "15:16:17,", "15:16:17; ", "2026-11-24 15:16:16 | ",
+                               "16 25 ", "12.345 "};
   line::Random random(seedOfDay() + 2);
   unsigned lost = 0, ways = 0;
   for (const Between &filler : fillers) {
@@ -229,8 +235,8 @@ TEST_CASE("what stands before, between and around frames costs none, in any form
             const bool isRight = framesIn(isRaw == 1 ? bytes : text) == sent;
             lost += !isRight;
             if (!isRight) {
-
-              MESSAGE("not read: ", std::string(head), std::string(form), " width ", width, ", ", filler.before, " before, ", filler.after, " after, raw ", isRaw);
+              MESSAGE("not read: ", std::string(head), std::string(form), " width ", width, ", ", filler.before,
+                      " before, ", filler.after, " after, raw ", isRaw);
             }
           }
         }

@@ -154,10 +154,10 @@ TEST_CASE("a recording says when it began, and an older one does not") {
 
 TEST_CASE("a line counts from its first byte or a capture's beginning to its last, with frames or without") {
   struct {
-    uint64_t beginUs;      // of the capture; 0: it is none
-    uint64_t byteUs[2];    // of bytes that are no frame
-    uint64_t silentToUs;   // known at the end
-    uint64_t fromUs, toUs; // of the flight
+    uint64_t beginUs;       // of the capture; 0: it is none
+    uint64_t byteUs[2];     // of bytes that are no frame
+    uint64_t silentToUs;    // known at the end
+    uint64_t fromUs, toUs;  // of the flight
     size_t spans;
     const char *end;
   } const table[] = {
@@ -168,7 +168,13 @@ TEST_CASE("a line counts from its first byte or a capture's beginning to its las
       {500000, {1000120, 0}, 0, 500000, 2900000, 1, ""},
       {0, {0, 3500000}, 0, 2000000, 3500000, 1, "No frames at the end: for the last 0.600 s bytes come, but no frame."},
       {0, {0, 2950000}, 4000000, 2000000, 4000000, 1, "No frames at the end: for the last 1.100 s the line is silent."},
-      {0, {1000120, 3500000}, 4000000, 1000000, 4000000, 2, "No frames at the end: for the last 1.100 s bytes come, but no frame."},
+      {0,
+       {1000120, 3500000},
+       4000000,
+       1000000,
+       4000000,
+       2,
+       "No frames at the end: for the last 1.100 s bytes come, but no frame."},
   };
   for (const auto &row : table) {
     CAPTURE(&row - table);

@@ -106,7 +106,8 @@ TEST_CASE("stick flicks are no jumps: frames from 4 to 25 ms apart, radio packet
     for (double phaseMs = 0; phaseMs < periodMs; phaseMs += 0.5) {
       for (const double packetMs : {0.0, 2.0, 4.0, 10.0, 20.0}) {
         for (double length : {150.0, 170.0, 200.0, 250.0}) {
-          CHECK(jumpsOf([&](double ms) { return flick(ms - 100, 0.71 * length, 1); }, periodMs, phaseMs, packetMs) == 0);
+          CHECK(jumpsOf([&](double ms) { return flick(ms - 100, 0.71 * length, 1); }, periodMs, phaseMs, packetMs) ==
+                0);
           CHECK(jumpsOf([&](double ms) { return flick(ms - 100, length, 2) - 1; }, periodMs, phaseMs, packetMs) == 0);
         }
         for (const double hz : {4.0, 5.0, 6.0}) {
@@ -119,7 +120,9 @@ TEST_CASE("stick flicks are no jumps: frames from 4 to 25 ms apart, radio packet
   CHECK(lines == 1290);
 }
 
-TEST_CASE("an Observer counts jumps, but no failsafe and no lack of pulses; a condition waits for one, and a flight lists it") {
+TEST_CASE(
+    "an Observer counts jumps, but no failsafe and no lack of pulses; a condition waits for one, and a flight lists "
+    "it") {
   line::Observer observer;
   line::ObservedFlight flight(line::CharacterUs);
   const line::Condition condition("jump", {});

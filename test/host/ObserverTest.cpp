@@ -142,7 +142,9 @@ TEST_CASE("FASSTest 26: a frame with header 2F that comes first after a silence 
   }
 }
 
-TEST_CASE("a line has 32 channels once two frames with header 2F come within 8 others; the first on a line counts for the next") {
+TEST_CASE(
+    "a line has 32 channels once two frames with header 2F come within 8 others; the first on a line counts for the "
+    "next") {
   const struct {
     const char *line;    // x: with header 2F
     const char *counts;  // of channels after each frame: 3 for 32, 1 for 16
@@ -180,9 +182,9 @@ TEST_CASE("a line has 32 channels once two frames with header 2F come within 8 o
 TEST_CASE("a sender's faults are named from its characters' errors: no parity, and a wrong idle level; not noise") {
   const struct {
     const char *what;
-    unsigned good;        // characters before each break
-    bool isBreak;         // one that ends in the line's wrong idle level
-    uint64_t silenceUs;   // after that
+    unsigned good;       // characters before each break
+    bool isBreak;        // one that ends in the line's wrong idle level
+    uint64_t silenceUs;  // after that
     unsigned times;
     sbus::Finding fault;
   } rows[] = {
@@ -258,8 +260,10 @@ TEST_CASE("packets of one length are described: what a frame has, and their peri
       {Bytes(24, 0x0F), "Packets: 24 bytes from 0F to 0F, one every 9.0 ms; a frame has 25 bytes."},
       {Bytes(25, 0x0F), "Packets: 25 bytes from 0F to 0F, one every 9.0 ms; a frame ends with 00."},
       {Bytes{0xF0} + Bytes(24, 0x00),
-       "Packets: 25 bytes from F0 to 00, one every 9.0 ms; a frame begins with 0F: the lowest bit of a byte is sent first."},
-      {Bytes{0x55} + Bytes(7, 0x06), "Packets: 8 bytes from 55 to 06, one every 9.0 ms; a frame has 25 bytes; a frame begins with 0F."},
+       "Packets: 25 bytes from F0 to 00, one every 9.0 ms; a frame begins with 0F: the lowest bit of a byte is sent "
+       "first."},
+      {Bytes{0x55} + Bytes(7, 0x06),
+       "Packets: 8 bytes from 55 to 06, one every 9.0 ms; a frame has 25 bytes; a frame begins with 0F."},
       {Bytes{0x0F} + Bytes(22, 0x00) + Bytes{0x31, 0x00},
        "Packets: 25 bytes from 0F to 00, one every 9.0 ms; the flags are 31, where a frame has 0 in bits 4 to 7."},
       {Bytes{0x0F} + Bytes(24, 0x00), ""},

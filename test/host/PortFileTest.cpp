@@ -36,9 +36,7 @@ sp_return sp_get_port_by_name(const char *name, sp_port **port) {
   *port = new sp_port{name, -1};
   return SP_OK;
 }
-void sp_free_port(sp_port *port) {
-  delete port;
-}
+void sp_free_port(sp_port *port) { delete port; }
 sp_return sp_open(sp_port *port, sp_mode) {
   port->file = open(port->name.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   return port->file >= 0 ? SP_OK : SP_ERR_FAIL;
@@ -56,25 +54,15 @@ sp_return sp_set_baudrate(sp_port *, int baud) {
   baudSet = baud;
   return SP_OK;
 }
-sp_return sp_set_bits(sp_port *, int) {
-  return SP_OK;
-}
-sp_return sp_set_parity(sp_port *, sp_parity) {
-  return SP_OK;
-}
-sp_return sp_set_stopbits(sp_port *, int) {
-  return SP_OK;
-}
-sp_return sp_set_flowcontrol(sp_port *, sp_flowcontrol) {
-  return SP_OK;
-}
+sp_return sp_set_bits(sp_port *, int) { return SP_OK; }
+sp_return sp_set_parity(sp_port *, sp_parity) { return SP_OK; }
+sp_return sp_set_stopbits(sp_port *, int) { return SP_OK; }
+sp_return sp_set_flowcontrol(sp_port *, sp_flowcontrol) { return SP_OK; }
 sp_return sp_new_config(sp_port_config **config) {
   *config = new sp_port_config;
   return SP_OK;
 }
-void sp_free_config(sp_port_config *config) {
-  delete config;
-}
+void sp_free_config(sp_port_config *config) { delete config; }
 sp_return sp_get_config(sp_port *, sp_port_config *config) {
   config->baud = baudSet == 200000 ? 230400 : baudSet;  // an adapter that takes any rate and has few
   return SP_OK;
@@ -83,20 +71,11 @@ sp_return sp_get_config_baudrate(const sp_port_config *config, int *baud) {
   *baud = config->baud;
   return SP_OK;
 }
-sp_return sp_output_waiting(sp_port *port) {
-  return port->name == "/dev/full" ? SP_OK : SP_ERR_FAIL;
-}
-sp_return sp_flush(sp_port *, sp_buffer) {
-  return SP_OK;
-}
-int sp_last_error_code() {
-  return errno;
-}
-char *sp_last_error_message() {
-  return nullptr;
-}
-void sp_free_error_message(char *) {
-}
+sp_return sp_output_waiting(sp_port *port) { return port->name == "/dev/full" ? SP_OK : SP_ERR_FAIL; }
+sp_return sp_flush(sp_port *, sp_buffer) { return SP_OK; }
+int sp_last_error_code() { return errno; }
+char *sp_last_error_message() { return nullptr; }
+void sp_free_error_message(char *) {}
 
 TEST_CASE("a port that goes and comes back a hundred times leaves no file open") {
   const size_t before = openFiles();

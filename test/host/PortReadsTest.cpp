@@ -28,7 +28,8 @@ TEST_CASE("a recording has what two reads brought on two lines, even if it came 
   CHECK(writer.take() == "100880~19000 0F E5!\n101120~19120 0F E5!\n");
 }
 
-TEST_CASE("after a stall of 3 s the reads that follow each other at once bring each character 1 us after the last one") {
+TEST_CASE(
+    "after a stall of 3 s the reads that follow each other at once bring each character 1 us after the last one") {
   line::PortReads reads;
   reads.empty(1000000);
   uint64_t lastUs = 0;

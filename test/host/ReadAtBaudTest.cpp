@@ -45,7 +45,8 @@ TEST_CASE("S.Bus read at 115200 and 57600 baud is recognised; at other rates, an
     CHECK(readAt(source, 115200) == 115200);
     CHECK(readAt(source, 57600) == 57600);
     std::string file = bytesAt(source, 57600);
-    for (const size_t least : {size_t{0}, 2 * line::FileHeadMax}) {  // a file of such bytes is no error, so doctor names it
+    for (const size_t least :
+         {size_t{0}, 2 * line::FileHeadMax}) {  // a file of such bytes is no error, so doctor names it
       while (file.size() < least) {
         file += file;
       }
@@ -53,7 +54,7 @@ TEST_CASE("S.Bus read at 115200 and 57600 baud is recognised; at other rates, an
     }
   }
   CHECK(readAt("sim:sbus2", 115200) == 0);  // telemetry comes between
-  CHECK(readAt("sim:32", 115200) == 0);  // header 2F comes between
+  CHECK(readAt("sim:32", 115200) == 0);     // header 2F comes between
   for (const unsigned long baud : {100000ul, 200000ul, 38400ul, 76800ul, 230400ul}) {
     CAPTURE(baud);
     CHECK(readAt("sim", baud) == 0);

@@ -56,9 +56,7 @@ TEST_CASE("the reason names its cause, and the place of the header") {
       {"a gap", {good, part(good, 0, 12), part(good, 12), good}, "frame | a gap inside | no header | frame"},
       {"behind noise", {good, noise + part(good, 0, 12), part(good, 12)}, "frame | a gap inside (byte 2) | no header"},
       {"more follow", {good + noise + noise, good}, "more bytes than a frame | no header | frame"},
-      {"no gap",
-       {noise, noise + good + good, good},
-       "no header | not at a gap (byte 2) | no header | frame | frame"},
+      {"no gap", {noise, noise + good + good, good}, "no header | not at a gap (byte 2) | no header | frame | frame"},
       {"a false sync",
        {Bytes(40, 0x55) + part(failsafe, 8) + failsafe, good},
        "no header | no end byte (byte 15) | may be a false sync (byte 5) | frame | frame"},
@@ -120,7 +118,8 @@ TEST_CASE("a gap of eight characters within a frame is seen, a gap of seven is n
   }
 }
 
-TEST_CASE("a frame that lost a character to an error, with another after it, is none and not counted, though its size fits") {
+TEST_CASE(
+    "a frame that lost a character to an error, with another after it, is none and not counted, though its size fits") {
   for (const size_t bad : {size_t{1}, size_t{3}, size_t{22}}) {
     CAPTURE(bad);
     Watched line;

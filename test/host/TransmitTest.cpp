@@ -185,9 +185,10 @@ TEST_CASE("with another parity, rate or polarity hardly a byte arrives; with a s
     unsigned long baud;
     uint32_t config;
     bool through;
-  } rows[] = {{100000, SERIAL_SBUS, true},  {100000, SERIAL_8E1 | inverted, true}, {100000, SERIAL_8O2 | inverted, false},
-              {200000, SERIAL_SBUS, false}, {100000, SERIAL_8E2, false},           {200000, SERIAL_8E2, false},
-              {9600, SERIAL_SBUS, false}};
+  } rows[] = {
+      {100000, SERIAL_SBUS, true},  {100000, SERIAL_8E1 | inverted, true}, {100000, SERIAL_8O2 | inverted, false},
+      {200000, SERIAL_SBUS, false}, {100000, SERIAL_8E2, false},           {200000, SERIAL_8E2, false},
+      {9600, SERIAL_SBUS, false}};
   for (const auto &row : rows) {
     INFO("baud ", row.baud, ", config ", row.config);
     const host::PortSettings other = host::portSettings(row.baud, row.config);

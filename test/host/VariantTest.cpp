@@ -14,12 +14,16 @@ struct Variant {
   Kind kind;
   unsigned channels;
 };
-constexpr Variant Variants[] = {{"S.Bus", Kind::Plain, 16}, {"S.BUS2", Kind::Sbus2, 16}, {"R7003SB", Kind::R7003SB, 16},
-                                {"FASSTest 26", Kind::With2F, 32}, {"24 channels", Kind::Channels24, 24}};
+constexpr Variant Variants[] = {{"S.Bus", Kind::Plain, 16},
+                                {"S.BUS2", Kind::Sbus2, 16},
+                                {"R7003SB", Kind::R7003SB, 16},
+                                {"FASSTest 26", Kind::With2F, 32},
+                                {"24 channels", Kind::Channels24, 24}};
 constexpr uint64_t PeriodUs = 15000;
 
 // Puts `seconds` of a line into the observer, from `us` on. Returns when it ended.
-uint64_t play(line::Observer &observer, const Variant &variant, unsigned seconds, uint64_t us, uint32_t lateUs, line::Random &random) {
+uint64_t play(line::Observer &observer, const Variant &variant, unsigned seconds, uint64_t us, uint32_t lateUs,
+              line::Random &random) {
   Transmission sent;
   sent.sticks = Payload::Smooth;
   sent.kind = variant.kind;

@@ -128,7 +128,8 @@ TEST_CASE("all that comes before a capture's first frame is decoded, or the part
       CAPTURE(hasFrames);
       CAPTURE(keptMax);
       std::vector<WireCharacter> characters;
-      line::WireDecoder decoder({}, [] {}, [&](const WireCharacter &character) { characters.push_back(character); }, nullptr, keptMax);
+      line::WireDecoder decoder(
+          {}, [] {}, [&](const WireCharacter &character) { characters.push_back(character); }, nullptr, keptMax);
       decoder.signals({"RX"});
       decoder.level(0, 0, false);
       const size_t edges = hasFrames ? wire.edges.size() : packetEdges;

@@ -7,7 +7,8 @@ namespace {
 
 // Two inverted wires, A and B, in one capture.
 std::string vcdOf(const TestWire &a, const TestWire &b) {
-  std::string vcd = "$timescale 1 ns $end\n$var wire 1 a A $end\n$var wire 1 b B $end\n$enddefinitions $end\n#0\n0a\n0b\n";
+  std::string vcd =
+      "$timescale 1 ns $end\n$var wire 1 a A $end\n$var wire 1 b B $end\n$enddefinitions $end\n#0\n0a\n0b\n";
   for (size_t i = 0, k = 0; i < a.edges.size() || k < b.edges.size();) {
     const bool isA = k == b.edges.size() || (i < a.edges.size() && a.edges[i] <= b.edges[k]);
     vcd += isA ? printed("#%.0f\n%da\n", a.edges[i], i % 2 == 0) : printed("#%.0f\n%db\n", b.edges[k], k % 2 == 0);
@@ -140,8 +141,10 @@ TEST_CASE("options overrule what was found") {
     CHECK((decoded.wire.frames > 0) == row.right);
     CHECK((decoded.characters.size() == All.size() && decoded.bytes() == All) == row.right);
   }
-  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrides(0, 1000, {})).error == "has times of its own: leave out --sample-rate");
-  CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrides(0, 0, 1.5)).error == "has no voltages: leave out --threshold");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrides(0, 1000, {})).error ==
+        "has times of its own: leave out --sample-rate");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrides(0, 0, 1.5)).error ==
+        "has no voltages: leave out --threshold");
   TestWire zeros;  // all of its pulses are ten bits long: nothing shows how long one bit is
   zeros.bytes(Bytes(5, 0));
   zeros.gap(1e6);
@@ -235,12 +238,16 @@ TEST_CASE("a signal that is not S.Bus is rejected with the reason") {
   const struct {
     std::string text, failure;
   } rows[] = {
-      {textOf(noParity, TestFormat::Vcd), "signal RX has frames, but without parity: the sender has 8N1 or 8N2, and S.Bus has 8E2. No"},
-      {textOf(iBus, TestFormat::Saleae), "signal RX is not S.Bus: the receiver sends i-BUS, FlySky's protocol. Set the receiver's output"},
+      {textOf(noParity, TestFormat::Vcd),
+       "signal RX has frames, but without parity: the sender has 8N1 or 8N2, and S.Bus has 8E2. No"},
+      {textOf(iBus, TestFormat::Saleae),
+       "signal RX is not S.Bus: the receiver sends i-BUS, FlySky's protocol. Set the receiver's output"},
       {textOf(ppm, TestFormat::Saleae), "signal RX carries PPM: set the receiver's port to S.BUS, not to CPPM. No"},
       {textOf(ppm, TestFormat::Scope), "carries PPM: set"},
-      {textOf(servo, TestFormat::Vcd), "signal RX carries a servo's pulses: use the receiver's S.BUS port, or set this one to S.BUS. No"},
-      {textOf(clock, TestFormat::Vcd), "signal RX is not S.Bus: its shortest pulses last 500.0 us, as bits of 2000 baud do"},
+      {textOf(servo, TestFormat::Vcd),
+       "signal RX carries a servo's pulses: use the receiver's S.BUS port, or set this one to S.BUS. No"},
+      {textOf(clock, TestFormat::Vcd),
+       "signal RX is not S.Bus: its shortest pulses last 500.0 us, as bits of 2000 baud do"},
       {textOf(glitch, TestFormat::Saleae),
        "signal RX is not S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
       {textOf(wireOf(10400), TestFormat::Saleae),

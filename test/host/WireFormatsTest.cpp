@@ -45,7 +45,8 @@ TEST_CASE("each format gives the same bytes at their times, at 100000 and 200000
           const bool shifted =
               format == TestFormat::Saleae || format == TestFormat::Scope || format == TestFormat::Rigol;
           CHECK(std::abs(first - (shifted ? 1000000 : 2000000)) <= 2000);
-          CHECK(std::abs(decoded.characters.back().startNs - first - static_cast<int64_t>(wire.ns - 6e6 - 12 * wire.bitNs)) <= 2000);
+          CHECK(std::abs(decoded.characters.back().startNs - first -
+                         static_cast<int64_t>(wire.ns - 6e6 - 12 * wire.bitNs)) <= 2000);
         }
       }
     }
@@ -65,7 +66,8 @@ TEST_CASE("variations of analysers and oscilloscopes give the same bytes") {
       {"vectors of one bit", replaced(replaced(vcd, "1!", "b1 !"), "0!", "b0 !")},
       {"each level twice", replaced(replaced(vcd, "1!\n", "1!\n1!\n"), "0!\n", "0!\n0!\n")},
       {"unknown, then known", replaced(vcd, "#0\n", "#0\nx!\nz!\n")},
-      {"comments, and strings as GTKWave has them", replaced(vcd, "$dumpvars\n", "$comment why? $end\nsidle %\n$dumpvars\n")},
+      {"comments, and strings as GTKWave has them",
+       replaced(vcd, "$dumpvars\n", "$comment why? $end\nsidle %\n$dumpvars\n")},
       {"reals", replaced(replaced(vcd, "$var wire 8 % bus", "$var real 64 % bus"), "b0101 %", "r1.25e3 %")},
       {"a vector of more bits than signals can be", replaced(vcd, "$var wire 8 % bus", "$var wire 99999 % bus")},
       {"a long header", replaced(vcd, "$date today", "$date" + replaced("0000000000000000", "0", " today"))},
@@ -89,9 +91,9 @@ TEST_CASE("variations of analysers and oscilloscopes give the same bytes") {
 }
 
 // Rows as Hantek's DSO5000 writes them: Stylesoftware/Hantek-DSO5000-Series-CSV-to-PulseVIew, sample/WaveData50.csv; a
-// DSO2000 and a DSO5202P have the two bases in two lines. No file of a Rigol DHO was found: with times it is as a public
-// Python program for Rigol's oscilloscopes writes it, to be "compatible with the oscilloscope's export"; without times as
-// users report it.
+// DSO2000 and a DSO5202P have the two bases in two lines. No file of a Rigol DHO was found: with times it is as a
+// public Python program for Rigol's oscilloscopes writes it, to be "compatible with the oscilloscope's export"; without
+// times as users report it.
 TEST_CASE("heads of oscilloscopes that name no columns give the same bytes") {
   const TestWire wire = wireOf();
   std::string timed, sampled, both;
@@ -144,7 +146,8 @@ TEST_CASE(
   const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
   const std::string var = "$var wire 1 ! RX $end\n";
   const std::string clocked = textOf(wireOf(), TestFormat::Saleae, true);
-  CHECK(Decoded(replaced(vcd, var, "$scope module b $end $var wire 1 & RX $end $upscope $end " + var)).signal == "a.RX");
+  CHECK(Decoded(replaced(vcd, var, "$scope module b $end $var wire 1 & RX $end $upscope $end " + var)).signal ==
+        "a.RX");
   CHECK(Decoded(replaced(vcd, var, "$var wire 1 & RX $end $scope module b $end " + var)).signal == "b.RX");
   CHECK(Decoded(replaced(vcd, var, var + "$scope module b $end $var wire 1 ! TX $end")).signal == "RX");
   CHECK(Decoded(replaced(clocked, "Channel 0", "RX")).signal == "3");
@@ -163,7 +166,8 @@ TEST_CASE(
   } rows[] = {
       {"DSView", dsView, "RX"},
       {"DSView, numbers", replaced(dsView, "RX", "1"), "1"},
-      {"DSView, trailing commas", replaced(replaced(replaced(dsView, "RX", "1,"), ",0\n", ",0,\n"), ",1\n", ",1,\n"), "1"},
+      {"DSView, trailing commas", replaced(replaced(replaced(dsView, "RX", "1,"), ",0\n", ",0,\n"), ",1\n", ",1,\n"),
+       "1"},
       {"numbers after a time", replaced(replaced(saleae, "Channel 0", "0"), "RX", "1"), "1"},
       {"more trailing commas in the title", replaced(saleae, "RX", "RX,,"), "RX"},
       {"more trailing commas in the rows", replaced(replaced(saleae, ",0\r", ",0,,\r"), ",1\r", ",1,,\r"), "RX"},
@@ -204,9 +208,11 @@ TEST_CASE("each bit of a VCD's vector is a signal, and has its number") {
       {"$var wire 4 % bus [99999999999999999999] $end", body, "bus[3]"},
       {"$var wire 8 %%% bus $end", replaced(body, " %", " %%%"), "bus[3]"},
       {"$var wire 8 % bus $end", replaced(body, "b", "B"), "bus[3]"},
-      {"$var wire 8 % bus $end", replaced(replaced(body, "b1001 ", "bx1 "), "b1 ", "bz1 "), "bus[3]"},  // others unknown
+      {"$var wire 8 % bus $end", replaced(replaced(body, "b1001 ", "bx1 "), "b1 ", "bz1 "),
+       "bus[3]"},  // others unknown
       {"$var wire 4 % bus $end", replaced(replaced(body, "b0 ", "b110000 "), "b1", "b111"), "bus[3]"},
-      {"$var wire 1 % bus [3] $end", replaced(replaced(replaced(body, "b1 ", "b0 "), "b1001", "b1"), "b1000", "b1"), "bus[3]"},
+      {"$var wire 1 % bus [3] $end", replaced(replaced(replaced(body, "b1 ", "b0 "), "b1001", "b1"), "b1000", "b1"),
+       "bus[3]"},
   };
   for (const auto &row : rows) {
     INFO(row.variable, " ", row.body.substr(20, 30));
@@ -281,7 +287,8 @@ TEST_CASE("simulators' uneven times and Saleae's dates give the same bytes, and 
     high = !high;
     row(edge, high);
     const auto ns = static_cast<unsigned long long>(edge) + 999000567;
-    dates += printed("2023-06-%02u", ns < 1000000000 ? 7u : 8u) + printed(ns < 1000000000 ? "T23:59:59.%09llu" : "T00:00:00.%09llu", ns % 1000000000) +
+    dates += printed("2023-06-%02u", ns < 1000000000 ? 7u : 8u) +
+             printed(ns < 1000000000 ? "T23:59:59.%09llu" : "T00:00:00.%09llu", ns % 1000000000) +
              (high ? "+00:00,1\n" : "+00:00,0\n");
     before = edge;
   }

@@ -16,12 +16,10 @@ struct Measure {
   uint64_t Tally::*lines;
   bool isWrong;
 };
-constexpr Measure Measures[] = {{"missed", &Tally::linesMissed, false},
-                                {"mostly missed", &Tally::linesDead, false},
-                                {"wrong", &Tally::linesWrong, true},
-                                {"late", &Tally::linesLate, false},
-                                {"too young", &Tally::linesTooYoung, true},
-                                {"wrong after a gap", &Tally::linesOutlived, true}};
+constexpr Measure Measures[] = {
+    {"missed", &Tally::linesMissed, false},     {"mostly missed", &Tally::linesDead, false},
+    {"wrong", &Tally::linesWrong, true},        {"late", &Tally::linesLate, false},
+    {"too young", &Tally::linesTooYoung, true}, {"wrong after a gap", &Tally::linesOutlived, true}};
 
 // No lines: nothing has been measured.
 struct Counts {
@@ -94,19 +92,13 @@ bool isPromised(const Measure &measure, Promise promise) {
   return promise == Promise::Faultless || (promise == Promise::NeverWrong && measure.isWrong);
 }
 
-double ratio(uint64_t count, uint64_t of) {
-  return static_cast<double>(count) / static_cast<double>(of);
-}
+double ratio(uint64_t count, uint64_t of) { return static_cast<double>(count) / static_cast<double>(of); }
 
 }  // namespace
 
-double Rate::low() const {
-  return meanOf(count, Beyond) / static_cast<double>(lines);
-}
+double Rate::low() const { return meanOf(count, Beyond) / static_cast<double>(lines); }
 
-double Rate::high() const {
-  return std::min(1.0, meanOf(count + 1, 1 - Beyond) / static_cast<double>(lines));
-}
+double Rate::high() const { return std::min(1.0, meanOf(count + 1, 1 - Beyond) / static_cast<double>(lines)); }
 
 std::vector<Group> groups(const std::string &only) {
   std::vector<Group> all;
@@ -164,7 +156,9 @@ std::vector<Check> checks(const std::vector<Group> &groups, const std::vector<Ta
 }
 
 void printRates(const std::vector<Group> &chosen, const std::vector<Tally> &tallies) {
-  std::printf("// Written by `make -C test rates`: condition; lines with ordinary sticks, and on how many of them a frame was\n//");
+  std::printf(
+      "// Written by `make -C test rates`: condition; lines with ordinary sticks, and on how many of them a frame "
+      "was\n//");
   for (const Measure &measure : Measures) {
     std::printf("%s %s", &measure == Measures ? "" : ",", measure.name);
   }
@@ -185,7 +179,8 @@ void printRates(const std::vector<Group> &chosen, const std::vector<Tally> &tall
       for (const uint64_t count : counts.of) {
         numbers += (numbers.empty() ? "" : ", ") + std::to_string(count);
       }
-      std::printf(counts.lines == 0 ? ", {}" : ", {%llu, {%s}}", static_cast<unsigned long long>(counts.lines), numbers.c_str());
+      std::printf(counts.lines == 0 ? ", {}" : ", {%llu, {%s}}", static_cast<unsigned long long>(counts.lines),
+                  numbers.c_str());
     }
     std::printf("},\n");
   }

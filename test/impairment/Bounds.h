@@ -2,8 +2,8 @@
 //
 // Lines are independent of each other, the frames of a line are not: so lines are counted. Rates.inc has the counts of
 // a long run, and each rate its 95 % interval. A bound is the count that one run in a million would exceed if the true
-// rate were the upper end of that interval. What is expected on less than one line of a condition is also summed up over
-// all conditions, and the sum has a bound.
+// rate were the upper end of that interval. What is expected on less than one line of a condition is also summed up
+// over all conditions, and the sum has a bound.
 #pragma once
 
 #include <string>

@@ -9,19 +9,27 @@
 namespace {
 
 // A gap is seen if it is longer than a loop period and what the driver holds back.
-const std::vector<Setup> Seen = {
-    {6000, 50},    {7000, 50},             {14000, 50},        {9000, 3000, Board, 256},
-    {15000, 3000}, {9000, 50, ByteByByte}, {9000, 1000, Fifo}, {9000, 50, Esp32Told, 256},
-    {14000, 3000, Esp32Told, 256}};
+const std::vector<Setup> Seen = {{6000, 50},
+                                 {7000, 50},
+                                 {14000, 50},
+                                 {9000, 3000, Board, 256},
+                                 {15000, 3000},
+                                 {9000, 50, ByteByByte},
+                                 {9000, 1000, Fifo},
+                                 {9000, 50, Esp32Told, 256},
+                                 {14000, 3000, Esp32Told, 256}};
 // Each call that finds bytes finds a whole frame.
-const std::vector<Setup> WholeFrames = {{9000, 50, Esp32, 256}, {14000, 3000, Esp32, 256}, {9000, 3000, Esp32, 64},
-                                        {14000, 5000, Esp32, 256}};
+const std::vector<Setup> WholeFrames = {
+    {9000, 50, Esp32, 256}, {14000, 3000, Esp32, 256}, {9000, 3000, Esp32, 64}, {14000, 5000, Esp32, 256}};
 const std::vector<Setup> Hidden = {{4000, 50}, {4000, 3000}, {7000, 3000}};
 const std::vector<Setup> InStep = {{4000, 2000}, {4000, 4000}, {6000, 3000}, {6000, 6000}};
 const std::vector<Setup> InStepBytes = {{4000, 2000, ByteByByte}, {4000, 4000, ByteByByte}, {6000, 3000, ByteByByte},
                                         {7000, 3500, ByteByByte}, {9000, 3000, ByteByByte}, {9000, 4500, ByteByByte}};
-const std::vector<Setup> Buffers = {{9000, 50, ByteByByte, 31},   {9000, 3000, Board, 31}, {9000, 1000, Fifo, 63},
-                                    {9000, 3000, ByteByByte, 63}, {9000, 3000, Fifo, 512}};
+const std::vector<Setup> Buffers = {{9000, 50, ByteByByte, 31},
+                                    {9000, 3000, Board, 31},
+                                    {9000, 1000, Fifo, 63},
+                                    {9000, 3000, ByteByByte, 63},
+                                    {9000, 3000, Fifo, 512}};
 const std::vector<Setup> JoinSeen = {
     {7000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte}, {9000, 1000, Esp32Told, 256}};
 const std::vector<Setup> Telemetry = {{9000, 50}, {9000, 3000}, {15000, 50}, {15000, 5000}};
@@ -29,37 +37,54 @@ const std::vector<Setup> Telemetry15 = {
     {15000, 5000}, {15000, 5000, ByteByByte}, {15000, 5000, Fifo}, {15000, 5000, Esp32, 256}};
 const std::vector<Setup> LongTail = {{6000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000, Esp32, 256}};
 const std::vector<Setup> Odd2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
-const std::vector<Setup> With2F = {
-    {15000, 50}, {18000, 50}, {20000, 50}, {18000, 3000}, {18000, 50, ByteByByte}, {18000, 1000, Fifo},
-    {18000, 50, Esp32Told, 256}};
+const std::vector<Setup> With2F = {{15000, 50},
+                                   {18000, 50},
+                                   {20000, 50},
+                                   {18000, 3000},
+                                   {18000, 50, ByteByByte},
+                                   {18000, 1000, Fifo},
+                                   {18000, 50, Esp32Told, 256}};
 const std::vector<Setup> Channels24 = {
     {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, ByteByByte}, {9000, 50, Esp32, 256}};
 // No gap is seen.
 const std::vector<Setup> Channels24Hidden = {{7000, 5000}, {7000, 2000, ByteByByte}, {9000, 5000, ByteByByte}};
-const std::vector<Setup> Channels24Fast = {{7000, 50},   {7000, 1000},             {7000, 50, ByteByByte},
-                                           {9000, 1000}, {9000, 1000, ByteByByte}, {14000, 50, ByteByByte}};
+const std::vector<Setup> Channels24Fast = {
+    {7000, 50}, {7000, 1000}, {7000, 50, ByteByByte}, {9000, 1000}, {9000, 1000, ByteByByte}, {14000, 50, ByteByByte}};
 // Of 36 characters; the short gaps are 0.7 ms.
-const std::vector<Setup> Seen24 = {
-    {7000, 50}, {9000, 50}, {14000, 50}, {11000, 3000, Board, 256}, {15000, 3000}, {9000, 50, ByteByByte},
-    {9000, 1000, Fifo}, {9000, 50, Esp32Told, 256}, {15000, 3000, Esp32Told, 256}};
+const std::vector<Setup> Seen24 = {{7000, 50},
+                                   {9000, 50},
+                                   {14000, 50},
+                                   {11000, 3000, Board, 256},
+                                   {15000, 3000},
+                                   {9000, 50, ByteByByte},
+                                   {9000, 1000, Fifo},
+                                   {9000, 50, Esp32Told, 256},
+                                   {15000, 3000, Esp32Told, 256}};
 const std::vector<Setup> Hidden24 = {{5000, 50}, {5000, 3000}, {8000, 3000}};
-const std::vector<Setup> JoinSeen24 = {{9000, 50}, {11000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte},
-                                       {9000, 1000, Esp32Told, 256}};
+const std::vector<Setup> JoinSeen24 = {
+    {9000, 50}, {11000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte}, {9000, 1000, Esp32Told, 256}};
 const std::vector<Setup> Slow24 = {{9000, 5000}, {9000, 5000, ByteByByte}, {9000, 5000, Fifo}, {14000, 5000}};
-const std::vector<Setup> Blocked24 = {{7000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo},
-                                      {9000, 50, Esp32Told, 256}};
+const std::vector<Setup> Blocked24 = {
+    {7000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo}, {9000, 50, Esp32Told, 256}};
 // Of 25 characters, which a class for 36 reads.
-const std::vector<Setup> Other = {{7000, 50}, {7000, 1000}, {9000, 50}, {9000, 1000}, {14000, 50}, {14000, 1000},
-                                  {7000, 50, ByteByByte}, {9000, 1000, ByteByByte}, {14000, 1000, ByteByByte}};
-const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, ByteByByte},
-                                 {9000, 5000, Fifo},  {14000, 5000}};
+const std::vector<Setup> Other = {{7000, 50},
+                                  {7000, 1000},
+                                  {9000, 50},
+                                  {9000, 1000},
+                                  {14000, 50},
+                                  {14000, 1000},
+                                  {7000, 50, ByteByByte},
+                                  {9000, 1000, ByteByByte},
+                                  {14000, 1000, ByteByByte}};
+const std::vector<Setup> Slow = {
+    {7000, 5000}, {9000, 5000}, {9000, 5000, ByteByByte}, {9000, 5000, Fifo}, {14000, 5000}};
 const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
 // With delay(19) a frame waits for up to two of its periods, or comes just after a call.
-const std::vector<Setup> Delay19 = {
-    {7000, 19000, Board, 256},      {9000, 19000, Board, 256}, {14000, 19000, ByteByByte, 256},
-    {15000, 19000, ByteByByte, 63}, {9000, 19000, Fifo, 256},  {14000, 19000, Esp32Told, 256}};
-const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo},
-                                    {9000, 50, Esp32Told, 256}};
+const std::vector<Setup> Delay19 = {{7000, 19000, Board, 256},       {9000, 19000, Board, 256},
+                                    {14000, 19000, ByteByByte, 256}, {15000, 19000, ByteByByte, 63},
+                                    {9000, 19000, Fifo, 256},        {14000, 19000, Esp32Told, 256}};
+const std::vector<Setup> Blocked = {
+    {6000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo}, {9000, 50, Esp32Told, 256}};
 const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, ByteByByte, 256}, {14000, 50, Fifo, 256}};
 
 // Interrupts are off now and then.
@@ -67,9 +92,7 @@ std::vector<Setup> off(const Driver &driver) {
   return {{6000, 50, driver, 256},   {7000, 1000, driver, 256}, {9000, 50, driver, 256},
           {9000, 1000, driver, 256}, {9000, 3000, driver, 256}, {14000, 1000, driver, 256}};
 }
-std::vector<Setup> offAt9(const Driver &driver) {
-  return {{9000, 50, driver, 256}, {9000, 1000, driver, 256}};
-}
+std::vector<Setup> offAt9(const Driver &driver) { return {{9000, 50, driver, 256}, {9000, 1000, driver, 256}}; }
 
 // For Fast S.Bus, half of these periods, and those of FrSky's ACCESS receivers, 4 to 9 ms.
 const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, ByteByByte}};
@@ -91,9 +114,8 @@ constexpr Promise Faultless = Promise::Faultless;
 std::vector<Payload> chosen(const std::vector<Payload> &from, bool areOrdinary) {
   std::vector<Payload> sticks;
   const std::vector<Payload> &all = ordinarySticks();
-  std::copy_if(from.begin(), from.end(), std::back_inserter(sticks), [&](Payload which) {
-    return (std::find(all.begin(), all.end(), which) != all.end()) == areOrdinary;
-  });
+  std::copy_if(from.begin(), from.end(), std::back_inserter(sticks),
+               [&](Payload which) { return (std::find(all.begin(), all.end(), which) != all.end()) == areOrdinary; });
   return sticks;
 }
 
@@ -105,8 +127,8 @@ Run late(uint32_t us, Run run = plain()) {
   return run;
 }
 
-// Libraries that mask interrupts do it for 30 us a LED (Adafruit_NeoPixel), 1 ms a character (SoftwareSerial at 9600 baud) or
-// 5 ms (a DHT22's). `everyUs`: in step with the line, or not.
+// Libraries that mask interrupts do it for 30 us a LED (Adafruit_NeoPixel), 1 ms a character (SoftwareSerial at 9600
+// baud) or 5 ms (a DHT22's). `everyUs`: in step with the line, or not.
 Run masked(uint32_t us, uint32_t everyUs, uint32_t unsteadyUs, Run run = plain()) {
   run.maskedUs = us;
   run.maskEveryUs = everyUs;
@@ -174,7 +196,10 @@ const std::vector<Condition> &impairedLines() {
       {"joined midway, short gaps", joined(), Hidden},
       {"joined, failsafe frame", joined(), joins({50, 1000, 3000, 5000}), NeverWrong, {Payload::Failsafe}},
       {"joined, failsafe frame, slow loops", joined(), joins({10000, 20000}), NeverWrong, {Payload::Failsafe}},
-      {"joined, failsafe frame, by events", joined(), byEvents(joins({50, 1000, 3000, 5000, 20000})), NeverWrong,
+      {"joined, failsafe frame, by events",
+       joined(),
+       byEvents(joins({50, 1000, 3000, 5000, 20000})),
+       NeverWrong,
        {Payload::Failsafe}},
       {"S.BUS2, dropped 1/300", slots(1, dropped(1 / 300.)), Telemetry},
       {"S.BUS2 at 15 ms, dropped 1/50", slots(1, dropped(1 / 50.)), Telemetry15},
@@ -262,7 +287,8 @@ const std::vector<Condition> &maskedLines() {
 const std::vector<Condition> &conditions() {
   static const std::vector<Condition> list = [] {
     std::vector<Condition> all = impairedLines();
-    for (const std::vector<Condition> &more : {companyLines(), joinLines(), senderLines(), lateCallLines(), maskedLines()}) {
+    for (const std::vector<Condition> &more :
+         {companyLines(), joinLines(), senderLines(), lateCallLines(), maskedLines()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;
@@ -279,7 +305,7 @@ std::vector<Payload> Condition::deceptiveSticks() const {
 }
 
 Tally impairment(const Condition &condition, const std::vector<Setup> &setups, const std::vector<Payload> &sticks,
-              Decoder decoder, uint64_t frames, uint64_t seed) {
+                 Decoder decoder, uint64_t frames, uint64_t seed) {
   Tally sum;
   for (const Payload which : sticks) {
     Random random(ownSeed(condition.name + name(which), seed));
@@ -288,7 +314,8 @@ Tally impairment(const Condition &condition, const std::vector<Setup> &setups, c
       run.setup = setups[random.below(static_cast<uint32_t>(setups.size()))];
       run.line.periodUs = run.setup.periodUs;
       run.line.sticks = which;
-      run.joinUs = random.below((run.reads == Reads::Channels24 ? sbus::FrameSize24 : sbus::FrameSize) * run.line.characterUs());
+      run.joinUs =
+          random.below((run.reads == Reads::Channels24 ? sbus::FrameSize24 : sbus::FrameSize) * run.line.characterUs());
       if (condition.vary != nullptr) {
         condition.vary(run, random);
       }

@@ -34,13 +34,14 @@ const std::vector<Condition> &conditions();
 // Return the parts: lines with more than frames, such as telemetry, stray characters, a loop() with delays, a loose
 // connector; ...
 const std::vector<Condition> &companyLines();
-// ... a receiver that is plugged in, or begins to listen, while frames come: does it join parts of two? Each line is one
-// join, with 30 frames that allow a false sync at any place; ...
+// ... a receiver that is plugged in, or begins to listen, while frames come: does it join parts of two? Each line is
+// one join, with 30 frames that allow a false sync at any place; ...
 const std::vector<Condition> &joinLines();
-// ... senders that are not exact: frames that are spread or interrupted, noise before them, another receiver in mid frame.
+// ... senders that are not exact: frames that are spread or interrupted, noise before them, another receiver in mid
+// frame.
 const std::vector<Condition> &senderLines();
 
 // Sums up lines with `frames` frames, or a few more, for each of these sticks. A line's setup is one of these, drawn
 // like all that differs: the lines are independent of each other.
 Tally impairment(const Condition &condition, const std::vector<Setup> &setups, const std::vector<Payload> &sticks,
-              Decoder decoder, uint64_t frames, uint64_t seed);
+                 Decoder decoder, uint64_t frames, uint64_t seed);

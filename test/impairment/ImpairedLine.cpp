@@ -64,9 +64,7 @@ bool ImpairedLine::next(uint64_t nowUs, line::Character &character) {
   return true;
 }
 
-bool ImpairedLine::finished(uint64_t /*nowUs*/) const {
-  return _characters.empty() && _framesLeft == 0;
-}
+bool ImpairedLine::finished(uint64_t /*nowUs*/) const { return _characters.empty() && _framesLeft == 0; }
 
 uint64_t ImpairedLine::nextUs() {
   while (_characters.empty() && _framesLeft != 0) {

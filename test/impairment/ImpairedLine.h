@@ -32,12 +32,12 @@ struct Impairments {
 
 // What other characters are on the wire.
 struct Company {
-  unsigned slots = 0;      // of telemetry, after each frame that ends in 04
-  bool afterEach = false;  // also after 14, 24 and 34
-  int32_t lateUs = 0;      // sensors answer this much too late; below 0: too early
-  uint8_t group = 0;       // added to the group of which their slots should be
-  int strayBefore = NoStray;  // a character straight before each frame; AnyStray: anything but a header
-  int strayAfter = NoStray;  // a character straight after each frame
+  unsigned slots = 0;            // of telemetry, after each frame that ends in 04
+  bool afterEach = false;        // also after 14, 24 and 34
+  int32_t lateUs = 0;            // sensors answer this much too late; below 0: too early
+  uint8_t group = 0;             // added to the group of which their slots should be
+  int strayBefore = NoStray;     // a character straight before each frame; AnyStray: anything but a header
+  int strayAfter = NoStray;      // a character straight after each frame
   bool breakAfterSlots = false;  // a 00 straight after each slot
   double cutSlots = 0;           // of a slot: one or two of its characters are lost, or all with the 00 after them
 
@@ -46,8 +46,8 @@ struct Company {
 
 // Silences within frames, as senders have them that write each character when they find the time.
 struct Silences {
-  unsigned count = 0;      // in a frame, some of which may coincide
-  uint32_t leastUs = 60;   // from the end of a character to the next one
+  unsigned count = 0;     // in a frame, some of which may coincide
+  uint32_t leastUs = 60;  // from the end of a character to the next one
   uint32_t mostUs = 480;
   unsigned after = 0;      // this many characters of the frame; 0: places are drawn
   bool eachFrame = false;  // draws for each frame, not once for the line
@@ -82,8 +82,8 @@ struct Transmission {
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
   uint32_t unsteadyUs = 0;  // a period is up to this much shorter or longer
-  uint32_t spreadUs = 0;  // between the characters of a frame
-  uint32_t jitterUs = 0;  // up to this much more, drawn for each character
+  uint32_t spreadUs = 0;    // between the characters of a frame
+  uint32_t jitterUs = 0;    // up to this much more, drawn for each character
   Silences silences{};
   uint64_t frames = 100;
   uint64_t stopEvery = 0;  // after this many frames the line is silent for 100 ms
@@ -150,7 +150,7 @@ class ImpairedLine : public line::Line {
   const uint64_t _joinedUs;
   Random &_random;
   PayloadFrames _sticks;
-  PayloadFrames _moreSticks;  // CH17 to CH24, or CH32
+  PayloadFrames _moreSticks;                  // CH17 to CH24, or CH32
   std::optional<PayloadFrames> _otherSticks;  // of the receiver after a swap
 
   uint64_t _framesLeft;
@@ -160,8 +160,8 @@ class ImpairedLine : public line::Line {
   uint64_t _good = 0;    // good characters sent so far
   uint64_t _noiseCharacters = 0;
   uint64_t _burstEndUs = 0;
-  uint64_t _cutUs = 0;     // when the first character that was cut off would have begun
-  bool _straight = false;  // of the next frame
+  uint64_t _cutUs = 0;                                  // when the first character that was cut off would have begun
+  bool _straight = false;                               // of the next frame
   std::array<uint32_t, sbus::FrameSize24> _silentUs{};  // before each character of a frame
   std::deque<line::Character> _characters;
   std::deque<SentFrame> _sent;

@@ -22,9 +22,7 @@ std::vector<Setup> all() {
   setups.insert(setups.end(), called.begin(), called.end());
   return setups;
 }
-std::vector<Setup> sbus2() {
-  return everyDriver({15000}, {50, 300, 1000, 2000, 3000, 4000, 5000});
-}
+std::vector<Setup> sbus2() { return everyDriver({15000}, {50, 300, 1000, 2000, 3000, 4000, 5000}); }
 std::vector<Setup> seen() {
   std::vector<Setup> setups = all();
   setups.erase(std::remove_if(setups.begin(), setups.end(), std::not_fn(gapsAreSeen)), setups.end());

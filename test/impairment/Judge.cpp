@@ -6,10 +6,10 @@
 namespace {
 
 constexpr uint64_t Tally::*Counts[] = {
-    &Tally::damaged,     &Tally::intact,    &Tally::missed,     &Tally::wrong,     &Tally::late,
-    &Tally::tooYoung,    &Tally::altered,   &Tally::disturbed,  &Tally::outlived,  &Tally::lines,
-    &Tally::linesMissed, &Tally::linesDead, &Tally::linesWrong, &Tally::linesLate, &Tally::linesTooYoung,
-    &Tally::linesOutlived};
+    &Tally::damaged,    &Tally::intact,    &Tally::missed,        &Tally::wrong,
+    &Tally::late,       &Tally::tooYoung,  &Tally::altered,       &Tally::disturbed,
+    &Tally::outlived,   &Tally::lines,     &Tally::linesMissed,   &Tally::linesDead,
+    &Tally::linesWrong, &Tally::linesLate, &Tally::linesTooYoung, &Tally::linesOutlived};
 
 }  // namespace
 

@@ -62,8 +62,8 @@ class Judge {
   // Takes a poll, which has all characters before `position`.
   void poll(uint64_t position);
 
-  // Takes the `frame` that the sketch was given when it had read all characters before `position`. By its age the frame's
-  // last character was complete after `sinceUs`. Header and end byte are not compared.
+  // Takes the `frame` that the sketch was given when it had read all characters before `position`. By its age the
+  // frame's last character was complete after `sinceUs`. Header and end byte are not compared.
   void given(const uint8_t *frame, uint64_t position, uint64_t sinceUs = 0);
 
   // Returns the tally.
@@ -79,8 +79,8 @@ class Judge {
   bool isThat(const uint8_t *frame, const LongFrame &sent) const;
   void settleOldest();
 
-  static constexpr size_t Window = 128;    // frames: half a second of the densest line
-  static constexpr uint64_t Reach = 100;   // characters: a frame that is given later is another one that looks the same
+  static constexpr size_t Window = 128;   // frames: half a second of the densest line
+  static constexpr uint64_t Reach = 100;  // characters: a frame that is given later is another one that looks the same
 
   const uint64_t _learning;
   const unsigned _size;

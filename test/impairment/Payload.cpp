@@ -8,28 +8,26 @@
 
 namespace {
 
-constexpr const char *Names[] = {"uniform", "smooth",   "neutral", "still",  "equal",   "zeros",
-                                 "CH16 low", "failsafe", "0F/00",   "all 0F", "shifted", "shifted still", "other end",
-                                 "slot inside"};
+constexpr const char *Names[] = {"uniform", "smooth",        "neutral",   "still",      "equal",
+                                 "zeros",   "CH16 low",      "failsafe",  "0F/00",      "all 0F",
+                                 "shifted", "shifted still", "other end", "slot inside"};
 
 constexpr uint8_t OtherEnds[] = {0x04, 0x14, 0x24, 0x34, 0x08};
 constexpr uint16_t EqualValues[] = {0, 992, 1024};
 
 }  // namespace
 
-const char *name(Payload sticks) {
-  return Names[static_cast<unsigned>(sticks)];
-}
+const char *name(Payload sticks) { return Names[static_cast<unsigned>(sticks)]; }
 
 const std::vector<Payload> &ordinarySticks() {
-  static const std::vector<Payload> sticks = {Payload::Uniform, Payload::Smooth, Payload::Neutral,      Payload::Still,
-                                             Payload::Equal,   Payload::Zeros,  Payload::LowChannel16};
+  static const std::vector<Payload> sticks = {Payload::Uniform, Payload::Smooth, Payload::Neutral,     Payload::Still,
+                                              Payload::Equal,   Payload::Zeros,  Payload::LowChannel16};
   return sticks;
 }
 
 const std::vector<Payload> &deceptiveSticks() {
   static const std::vector<Payload> sticks = {Payload::Failsafe, Payload::Of0FAnd00, Payload::All0F, Payload::Shifted,
-                                             Payload::ShiftedStill};
+                                              Payload::ShiftedStill};
   return sticks;
 }
 
@@ -135,6 +133,4 @@ Frame PayloadFrames::packed() {
   return frame;
 }
 
-uint8_t PayloadFrames::flags() {
-  return static_cast<uint8_t>(_random.chance(0.02) ? _random.below(16) : 0);
-}
+uint8_t PayloadFrames::flags() { return static_cast<uint8_t>(_random.chance(0.02) ? _random.below(16) : 0); }

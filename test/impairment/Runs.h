@@ -10,9 +10,7 @@
 
 constexpr unsigned long FastBaud = 200000;
 
-inline Run plain() {
-  return {};
-}
+inline Run plain() { return {}; }
 inline Run of(Kind kind) {
   Run run;
   run.line.kind = kind;
@@ -37,9 +35,7 @@ inline Run slotsAfterEach(unsigned count) {
   run.line.company.afterEach = true;
   return run;
 }
-inline Run noise(double probability) {
-  return with(&Impairments::noise, probability);
-}
+inline Run noise(double probability) { return with(&Impairments::noise, probability); }
 inline Run stopping() {
   Run run;
   run.line.stopEvery = 20;

@@ -47,10 +47,10 @@ class Simulation {
   Receiver receiver() {
     UartPort &port = _port;
     const Driver &driver = _run.setup.driver;
-    return _run.setup.callsBack() ? Receiver(_port)
-           : driver.isBoards()    ? Receiver(static_cast<BoardsPort &>(port))
-           : driver.fromCallback()    ? Receiver(static_cast<PromptPort &>(port))
-                                  : Receiver(port);
+    return _run.setup.callsBack()  ? Receiver(_port)
+           : driver.isBoards()     ? Receiver(static_cast<BoardsPort &>(port))
+           : driver.fromCallback() ? Receiver(static_cast<PromptPort &>(port))
+                                   : Receiver(port);
   }
   uint64_t randomUs(uint64_t limitUs) { return _random.below(static_cast<uint32_t>(limitUs)); }
 
@@ -213,7 +213,8 @@ class Simulation {
 
   // Returns true if a certain gap stands before the bytes that wait: the silence from the last call that found bytes to
   // the last empty call, less what a driver may hold back, is longer than two characters and what the sender has within
-  // frames, but no longer than any frame period. It lies between characters if some were found since the line was joined.
+  // frames, but no longer than any frame period. It lies between characters if some were found since the line was
+  // joined.
   bool isGap() {
     const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
     const auto found = static_cast<uint64_t>(_port.available());
@@ -273,8 +274,8 @@ class Simulation {
     _lostLater = 0;
   }
 
-  static constexpr uint64_t Learning = 4;            // frames
-  static constexpr uint64_t LongestIdle = 5;         // characters; no driver waits longer
+  static constexpr uint64_t Learning = 4;     // frames
+  static constexpr uint64_t LongestIdle = 5;  // characters; no driver waits longer
   static constexpr uint64_t LongestPeriodUs = 50000;
 
   const Run _run;

@@ -18,15 +18,15 @@ struct Run {
   uint32_t blockToUs = 0;    // to this time
   uint32_t blockEveryUs = 0;
   bool blocksInterrupts = false;  // they are off while the loop is blocked
-  uint32_t workUs = 0;       // other work at the level of the port's calls, which wait for its end, takes this long
-  uint32_t workEveryUs = 0;  // and begins again up to this long after its end
-  uint32_t maskedUs = 0;     // interrupts are masked for this long, on a port that calls back
-  uint32_t maskEveryUs = 0;  // from one mask's beginning to the next one's
+  uint32_t workUs = 0;          // other work at the level of the port's calls, which wait for its end, takes this long
+  uint32_t workEveryUs = 0;     // and begins again up to this long after its end
+  uint32_t maskedUs = 0;        // interrupts are masked for this long, on a port that calls back
+  uint32_t maskEveryUs = 0;     // from one mask's beginning to the next one's
   uint32_t maskUnsteadyUs = 0;  // up to this much later, drawn each time
-  bool joining = false;        // the port is opened
-  uint32_t joinUs = 0;         // this long after the line's first frame has begun
-  uint32_t silenceUs = 20000;  // without `joining` this long before, and up to 9 ms longer
-  bool everyLoop = false;      // makes also the calls in a silence that change nothing
+  bool joining = false;         // the port is opened
+  uint32_t joinUs = 0;          // this long after the line's first frame has begun
+  uint32_t silenceUs = 20000;   // without `joining` this long before, and up to 9 ms longer
+  bool everyLoop = false;       // makes also the calls in a silence that change nothing
 };
 
 enum class Decoder { Ours, Papers };

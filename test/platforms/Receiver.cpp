@@ -1,5 +1,6 @@
-// Runs the code of other-platforms.md on a line of known frames, 9 ms apart, polled every millisecond, from just before the
-// clock wraps. The port hands bytes over in eights, or when two characters were idle. Ends with 0 if every number is right.
+// Runs the code of other-platforms.md on a line of known frames, 9 ms apart, polled every millisecond, from just before
+// the clock wraps. The port hands bytes over in eights, or when two characters were idle. Ends with 0 if every number
+// is right.
 #include <cstdint>
 #include <cstdio>
 #include <vector>

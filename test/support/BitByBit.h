@@ -49,9 +49,7 @@ inline Channels readBitByBit(const Frame &frame) {
   channels[17] = frame[23] >> 1 & 1;
   return channels;
 }
-inline LongChannels readBitByBit(const LongFrame &frame) {
-  return readPayload<24>(frame);
-}
+inline LongChannels readBitByBit(const LongFrame &frame) { return readPayload<24>(frame); }
 
 // Returns the whole frame for `channels` (0..2047, CH17 and CH18 0 or 1), with neither lost frame nor failsafe, end
 // byte 00.
@@ -60,6 +58,4 @@ inline Frame writeBitByBit(const Channels &channels) {
   frame[23] = static_cast<uint8_t>(channels[16] | channels[17] << 1);
   return frame;
 }
-inline LongFrame writeBitByBit(const LongChannels &channels) {
-  return writePayload<24, 36>(channels);
-}
+inline LongFrame writeBitByBit(const LongChannels &channels) { return writePayload<24, 36>(channels); }

@@ -31,9 +31,7 @@ std::vector<T> operator+(std::vector<T> left, const std::vector<T> &right) {
 }
 
 // Returns the bytes that an R7003SB (end byte 08) sends straight after each frame; none for other end bytes.
-inline Bytes tailOf(uint8_t end) {
-  return end == 0x08 ? Bytes{0x00, 0x03, 0xC0, 0x33, 0x00} : Bytes{};
-}
+inline Bytes tailOf(uint8_t end) { return end == 0x08 ? Bytes{0x00, 0x03, 0xC0, 0x33, 0x00} : Bytes{}; }
 
 // Returns `bytes`, a frame or Bytes, from `from` up to but without `to`.
 template <typename Container>
@@ -44,9 +42,7 @@ Bytes part(const Container &bytes, size_t from, size_t to = SIZE_MAX) {
   return Bytes(at(from), at(to));
 }
 
-inline Bytes without(const Frame &frame, size_t index) {
-  return part(frame, 0, index) + part(frame, index + 1);
-}
+inline Bytes without(const Frame &frame, size_t index) { return part(frame, 0, index) + part(frame, index + 1); }
 
 inline Bytes with(const Frame &frame, size_t index, uint8_t inserted) {
   return part(frame, 0, index) + Bytes{inserted} + part(frame, index);

@@ -30,7 +30,8 @@ struct Decoded {
     constexpr size_t blockMax = 5000;
     line::WireDecoder decoder(
         overrides, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
-    line::OpenedCapture opened = line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder, overrides);
+    line::OpenedCapture opened =
+        line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder, overrides);
     error = opened.error;
     if (!opened.reader) {
       return;
@@ -115,6 +116,4 @@ inline std::string replaced(std::string text, const std::string &before, const s
   return text;
 }
 
-inline bool holds(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
+inline bool holds(const std::string &text, const std::string &part) { return text.find(part) != std::string::npos; }

@@ -26,18 +26,15 @@ uint32_t millis() {
   return static_cast<uint32_t>(ticks / TicksPerSecond * 1000 + ticks % TicksPerSecond * 1000 / TicksPerSecond);
 }
 
-uint32_t micros() {
-  return static_cast<uint32_t>(fakeMicros - fakeStoodStillUs - fakeMicrosStoodUs);
-}
+uint32_t micros() { return static_cast<uint32_t>(fakeMicros - fakeStoodStillUs - fakeMicrosStoodUs); }
 
-void delayMicroseconds(unsigned us) {
-  fakeMicros += us;
-}
+void delayMicroseconds(unsigned us) { fakeMicros += us; }
 
 void yield() {}
 
 // An object that is gone without end() may still stand in the list: nothing looks at it but fakeFallAsleep().
-void stm32l0_system_register(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context, uint32_t mask) {
+void stm32l0_system_register(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context,
+                             uint32_t mask) {
   *notify = {nullptr, callback, context, mask};
   told.push_back(notify);
 }
@@ -54,9 +51,7 @@ void fakeFallAsleep() {
   }
 }
 
-void fakeReset() {
-  told.clear();
-}
+void fakeReset() { told.clear(); }
 
 void fakeSleep(uint64_t us) {
   constexpr uint64_t Divider = 16;

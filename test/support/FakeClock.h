@@ -12,7 +12,7 @@ extern uint64_t fakeStoodStillUs;
 extern uint64_t fakeMicrosStoodUs;
 
 // Where micros() and millis() wrap.
-constexpr uint64_t MicrosWrap = uint64_t{1} << 32;         // us: 71 minutes and 35 seconds
+constexpr uint64_t MicrosWrap = uint64_t{1} << 32;           // us: 71 minutes and 35 seconds
 constexpr uint64_t MillisWrap = (uint64_t{1} << 32) * 1000;  // us: 49 days and 17 hours
 
 // The board sleeps for this time, and so does loop(). GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd: micros() is SysTick,

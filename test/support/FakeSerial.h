@@ -1,5 +1,5 @@
-// A serial port whose receive buffer the test fills, and which notes how it was opened. As on the board, bytes that find
-// the buffer full, or the port closed, are lost: of a burst that does not fit, the newest.
+// A serial port whose receive buffer the test fills, and which notes how it was opened. As on the board, bytes that
+// find the buffer full, or the port closed, are lost: of a burst that does not fit, the newest.
 #pragma once
 
 #include <cstddef>

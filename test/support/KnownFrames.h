@@ -30,11 +30,10 @@ constexpr KnownFrame PaperHigh = {
 
 // A whole frame of a FrSky receiver with neutral sticks: github.com/Cleric-K/vJoySerialFeeder, issue 3. Its payload
 // holds the header byte 0F twice.
-constexpr KnownFrame Neutral = {
-    "FrSky, neutral sticks, vJoySerialFeeder issue 3",
-    {0x0F, 0xE5, 0x03, 0x1F, 0xF8, 0xC0, 0x07, 0x3E, 0xF0, 0x81, 0x0F, 0x7C, 0xE0,
-     0x03, 0x06, 0xF8, 0x80, 0x91, 0x3D, 0xF0, 0x81, 0x0F, 0x7C, 0x00, 0x00},
-    {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}};
+constexpr KnownFrame Neutral = {"FrSky, neutral sticks, vJoySerialFeeder issue 3",
+                                {0x0F, 0xE5, 0x03, 0x1F, 0xF8, 0xC0, 0x07, 0x3E, 0xF0, 0x81, 0x0F, 0x7C, 0xE0,
+                                 0x03, 0x06, 0xF8, 0x80, 0x91, 0x3D, 0xF0, 0x81, 0x0F, 0x7C, 0x00, 0x00},
+                                {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}};
 
 // A real R-XSR's failsafe frame: from its flags byte on, the line looks like frames as well.
 constexpr Frame SecondReading = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
@@ -62,8 +61,8 @@ constexpr KnownLongFrame Published24 = {
     {1025, 1024, 1024, 1023, 1024, 1024, 1024, 1024, 1068, 1068, 1068, 1068,
      1024, 1024, 1024, 1024, 1068, 1068, 1068, 1068, 1024, 1024, 1024, 1024}};
 
-// A failsafe frame of a real receiver. It allows a false sync, which begins with its flags, 0F, and ends before those of
-// the next frame.
+// A failsafe frame of a real receiver. It allows a false sync, which begins with its flags, 0F, and ends before those
+// of the next frame.
 constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
                                  0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
 
@@ -80,14 +79,10 @@ inline Frame countingFrame(uint16_t centre, unsigned first, unsigned number, uin
 }
 
 // Returns a frame with FrSky's neutral sticks, 992: 0F twice in the payload.
-inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) {
-  return countingFrame(992, 900, number, end);
-}
+inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) { return countingFrame(992, 900, number, end); }
 
 // Returns a frame with Futaba's centre, 1024: no 0F in the payload.
-inline Frame plainFrame(unsigned number, uint8_t end = 0x00) {
-  return countingFrame(1024, 1024, number, end);
-}
+inline Frame plainFrame(unsigned number, uint8_t end = 0x00) { return countingFrame(1024, 1024, number, end); }
 
 // Returns frame number `number` of 24 channels, plain or neutral.
 inline LongFrame longFrame(unsigned number, bool neutral = false) {

@@ -97,22 +97,13 @@ class UartPort : public HardwareSerial {
     uint8_t value;
     return take(&value, 1) == 1 ? value : -1;
   }
-  int read(uint8_t *buffer, size_t size) override {
-    return take(buffer, size);
-  }
-  void flush() override {
-  }
-  size_t write(uint8_t) override {
-    return 0;
-  }
-  operator bool() override {
-    return _uart.isOpen();
-  }
+  int read(uint8_t *buffer, size_t size) override { return take(buffer, size); }
+  void flush() override {}
+  size_t write(uint8_t) override { return 0; }
+  operator bool() override { return _uart.isOpen(); }
 
  protected:
-  host::BoardUart &uart() {
-    return _uart;
-  }
+  host::BoardUart &uart() { return _uart; }
 
  private:
   int take(uint8_t *buffer, size_t size) {
@@ -205,15 +196,11 @@ class CallingPort : public BoardsPort {
   bool _isCalling = false;
 };
 // By this the library knows the core's state of the port.
-inline stm32l0_uart_t *uartOf(CallingPort &port) {
-  return &port.state();
-}
+inline stm32l0_uart_t *uartOf(CallingPort &port) { return &port.state(); }
 
 // Another port that calls back: the core's state of it is not known.
 class UnknownCallingPort : public CallingPort {
  public:
   using CallingPort::CallingPort;
 };
-inline stm32l0_uart_t *uartOf(UnknownCallingPort &) {
-  return nullptr;
-}
+inline stm32l0_uart_t *uartOf(UnknownCallingPort &) { return nullptr; }

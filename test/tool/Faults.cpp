@@ -41,7 +41,9 @@ bool fails(const char *call, int file) {
 
 ssize_t counted(ssize_t count, const char *call) {
   const char *const wanted = std::getenv("EIO");
-  done += wanted != nullptr && std::strncmp(wanted, call, std::strlen(call)) == 0 && count > 0 ? static_cast<size_t>(count) : 0;
+  done += wanted != nullptr && std::strncmp(wanted, call, std::strlen(call)) == 0 && count > 0
+              ? static_cast<size_t>(count)
+              : 0;
   return count;
 }
 

@@ -9,9 +9,7 @@ namespace {
 
 const Bytes Break = {0x00};
 
-uint8_t endOf(unsigned number) {
-  return static_cast<uint8_t>(number % 4 << 4 | 0x04);
-}
+uint8_t endOf(unsigned number) { return static_cast<uint8_t>(number % 4 << 4 | 0x04); }
 
 Bytes slotOf(unsigned number, unsigned slot) {
   return {sbus::slotId(static_cast<uint8_t>(number % 4 * 8 + slot)), 0xC0, static_cast<uint8_t>(number)};

@@ -307,7 +307,7 @@ TEST_CASE("limited() keeps values that are within its limits, and clamps others"
     int32_t value;
     int16_t limited;
   } rows[] = {{INT32_MIN, -1000}, {-40000, -1000}, {40000, 1000}, {INT32_MAX, 1000}, {-1001, -1000},
-              {-1000, -1000},     {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}};
+              {-1000, -1000},     {-999, -999},    {0, 0},        {1000, 1000},      {1001, 1000}};
   for (const auto &row : rows) {
     CHECK(sbus::limited(row.value, -1000, 1000) == row.limited);
   }

@@ -110,7 +110,8 @@ struct Finished {
 using sbus::CalibrationError;
 using Numbers = Radio::Numbers;
 
-TEST_CASE("a channel is rejected, on either side of each limit; a centre that is not required is in the travel's middle") {
+TEST_CASE(
+    "a channel is rejected, on either side of each limit; a centre that is not required is in the travel's middle") {
   const struct {
     const char *what;
     Extent travel, rest;
@@ -318,7 +319,9 @@ TEST_CASE(
       {{0, 2047, Begin}, CalibrationError::NeverSeen, None},
       {{0, 2047, Begin, 172, 1811, Centre, 1000, High, 1811}, CalibrationError::None, Forwards},
       {{0, 2047, Centre, 0, 2047, Begin, 172, 1811}, CalibrationError::NotRested, None},
-      {{0, 2047, Centre, 0, 2047, High, 0, Begin, 172, 1811, Centre, 1000, High, 172}, CalibrationError::None, Backwards},
+      {{0, 2047, Centre, 0, 2047, High, 0, Begin, 172, 1811, Centre, 1000, High, 172},
+       CalibrationError::None,
+       Backwards},
   };
   for (const auto &row : rows) {
     INFO("row ", &row - rows);

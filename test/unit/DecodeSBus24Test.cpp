@@ -53,8 +53,11 @@ TEST_CASE("DecodeSBus24 decodes 24 channels, and the flags of byte 34; the flags
   const struct {
     unsigned flags;
     LinkState state;
-  } rows[] = {{0x00, LinkState::Ok},       {0x03, LinkState::Ok},       {0x04, LinkState::Lossy},
-              {0x08, LinkState::Failsafe}, {0x0C, LinkState::Failsafe}};
+  } rows[] = {{0x00, LinkState::Ok},
+              {0x03, LinkState::Ok},
+              {0x04, LinkState::Lossy},
+              {0x08, LinkState::Failsafe},
+              {0x0C, LinkState::Failsafe}};
   for (const auto &row : rows) {
     CAPTURE(row.flags);
     Board24 board;

@@ -189,12 +189,12 @@ TEST_CASE(
     bool byEvents;     // the sketch polls only when a byte has come
     uint32_t quietUs;  // between two bytes of the third frame
     bool rejected;
-  } rows[] = {{100000, false, 120, false}, {100000, false, 600, false},  {100000, false, 601, true},
-              {200000, false, 60, false},  {200000, false, 300, false},  {200000, false, 301, true},
-              {47060, false, 254, false},  {47060, false, 1270, false},  {47060, false, 1271, true},  // the slowest
-              {100000, true, 120, false},  {100000, true, 963, false},   {100000, true, 964, true},
-              {200000, true, 60, false},   {200000, true, 481, false},   {200000, true, 482, true},
-              {47060, true, 254, false},   {47060, true, 2039, false},   {47060, true, 2040, true}};
+  } rows[] = {{100000, false, 120, false}, {100000, false, 600, false}, {100000, false, 601, true},
+              {200000, false, 60, false},  {200000, false, 300, false}, {200000, false, 301, true},
+              {47060, false, 254, false},  {47060, false, 1270, false}, {47060, false, 1271, true},  // the slowest
+              {100000, true, 120, false},  {100000, true, 963, false},  {100000, true, 964, true},
+              {200000, true, 60, false},   {200000, true, 481, false},  {200000, true, 482, true},
+              {47060, true, 254, false},   {47060, true, 2039, false},  {47060, true, 2040, true}};
   for (const auto &row : rows) {
     INFO("baud ", row.baud, ", byEvents ", row.byEvents, ", quietUs ", row.quietUs);
     const uint32_t characterUs = static_cast<uint32_t>(12000000 / row.baud);

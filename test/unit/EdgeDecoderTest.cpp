@@ -143,10 +143,12 @@ TEST_CASE("what a wave has become: the characters 55 0F A3, and what is done to 
       {"a pulse of 2.5 us between two edges", [](Wave &wave) { wave.pulse(Second + 63, 2.5); }, {0x55, 0x0F, 0xA3}},
       {"one 6 us after an edge", [](Wave &wave) { wave.pulse(Second + 6.2, 2.5); }, {0x55, 0x0F, 0xA3}},
       {"one in its stop bits", [](Wave &wave) { wave.pulse(Second + 112, 2.5); }, {0x55, 0x0F, 0xA3}},
-      {"two pulses in one bit", [](Wave &wave) {
+      {"two pulses in one bit",
+       [](Wave &wave) {
          wave.pulse(Second + 61.5, 2);
          wave.pulse(Second + 66, 2);
-       }, {0x55, 0x0F, 0xA3}},
+       },
+       {0x55, 0x0F, 0xA3}},
       {"an edge that bounces: 2 us", [](Wave &wave) { wave.pulse(Second + 12, 2); }, {0x55, 0x0F, 0xA3}},
       {"a pulse of 4 us", [](Wave &wave) { wave.pulse(Second + 63, 4); }, {0x55}},
       {"a pulse of 8 us that changes no bit", [](Wave &wave) { wave.pulse(Second + 65, 8); }, {0x55}},

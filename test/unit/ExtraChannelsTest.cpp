@@ -13,9 +13,7 @@ using Extra = std::array<uint16_t, 16>;
 
 constexpr Extra Nothing = {4711};
 
-Extra channelsOf(const Frame &frame) {
-  return readPayload<16>(frame);
-}
+Extra channelsOf(const Frame &frame) { return readPayload<16>(frame); }
 
 Extra lastExtra(const ExtraFeeder &line) {
   Extra channels = Nothing;
@@ -41,7 +39,8 @@ void receive(FakeBoard32 &board, unsigned number) {
 
 }  // namespace
 
-TEST_CASE("a 2F frame is accepted once silence follows it, or a gap and a byte, or a header 0F or 2F, and not otherwise") {
+TEST_CASE(
+    "a 2F frame is accepted once silence follows it, or a gap and a byte, or a header 0F or 2F, and not otherwise") {
   const struct {
     uint32_t silenceUs;  // after it; then comes another byte
     bool bySilence, byNext;
@@ -66,7 +65,9 @@ TEST_CASE("a 2F frame is accepted once silence follows it, or a gap and a byte, 
   }
 }
 
-TEST_CASE("after an impaired 2F frame the next 2F and 0F frames come at once, and after an impaired 0F frame the next 2F frame") {
+TEST_CASE(
+    "after an impaired 2F frame the next 2F and 0F frames come at once, and after an impaired 0F frame the next 2F "
+    "frame") {
   for (const bool extraImpaired : {true, false}) {
     for (const size_t lost : {1u, 5u, 12u, 24u}) {
       INFO("extraImpaired ", extraImpaired, ", lost ", lost);
@@ -74,7 +75,8 @@ TEST_CASE("after an impaired 2F frame the next 2F and 0F frames come at once, an
       line.lock();
       // Without a gap between: it may be too short to be seen.
       const Frame extra = withByte(neutralFrame(7), 0, 0x2F), frame = neutralFrame(8);
-      const Frames found = line.feed(extraImpaired ? without(extra, lost) + bytesOf(frame) : bytesOf(extra) + without(frame, lost));
+      const Frames found =
+          line.feed(extraImpaired ? without(extra, lost) + bytesOf(frame) : bytesOf(extra) + without(frame, lost));
       CHECK(found == (extraImpaired ? Frames{frame} : Frames{}));
       CHECK(line.counted().extraFrames == !extraImpaired);
       line.wait(Feeder::GapUs);
@@ -126,7 +128,8 @@ TEST_CASE("a 2F frame's age counts from the last poll without its end, however l
   }
 }
 
-TEST_CASE("after more than 50 ms of silence a 2F frame is rejected; the frame after it and the next 2F frame are accepted") {
+TEST_CASE(
+    "after more than 50 ms of silence a 2F frame is rejected; the frame after it and the next 2F frame are accepted") {
   const struct {
     uint32_t silenceUs;
     unsigned extras;
@@ -146,7 +149,8 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is rejected; the frame af
   }
 }
 
-TEST_CASE("decodeExtraChannels writes the newest 2F frame until the timeout, and leaves the array alone before and after") {
+TEST_CASE(
+    "decodeExtraChannels writes the newest 2F frame until the timeout, and leaves the array alone before and after") {
   const struct {
     int timeoutMs;  // -1: not set, 100
     uint64_t goodMs;

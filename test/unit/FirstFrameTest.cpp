@@ -53,7 +53,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("after begin(), and after 50 ms of silence, a frame after other characters, without a gap, is not the first") {
+TEST_CASE(
+    "after begin(), and after 50 ms of silence, a frame after other characters, without a gap, is not the first") {
   for (const bool isSilent : {false, true}) {
     for (const size_t noise : {0u, 1u, 4u, 10u, 22u}) {
       INFO("isSilent ", isSilent, ", noise ", noise);

@@ -96,7 +96,8 @@ TEST_CASE("each cause of rejection has its counter, and discarded bytes are coun
   }
 }
 
-TEST_CASE("a frame that lacks a byte is rejected by its end, which is the next header, or before a wide gap for that gap") {
+TEST_CASE(
+    "a frame that lacks a byte is rejected by its end, which is the next header, or before a wide gap for that gap") {
   for (const size_t burst : {1u, 16u}) {
     for (const uint32_t gapUs : {uint32_t{Feeder::GapUs}, uint32_t{8000}}) {
       INFO("burst ", burst, ", gapUs ", gapUs);

@@ -31,8 +31,11 @@ struct Case {
     const Silence gap = isGapWide ? Silence::Wide : isGapCertain ? Silence::Gap : Silence::Likely;
     const bool follows = isInSync && offBy == 0;
     const uint8_t variant = variantOfEnd(bytes[24]);
-    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, inside, beginsWide || follows, variant,
-            hasLineVariant ? variant : UnknownVariant, offBy, follows};
+    return {bytes.data(), static_cast<int>(bytes.size()),
+            gapAt,        gap,
+            inside,       beginsWide || follows,
+            variant,      hasLineVariant ? variant : UnknownVariant,
+            offBy,        follows};
   }
 };
 
@@ -69,7 +72,7 @@ template <typename Format = Frame16>
 std::string judged(const Case &c, FrameSizeCheck<Format> acquisition = noneSeen<Format>()) {
   static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
   const Verdict verdict = rules::judge(c.candidate<Format>(), acquisition);
-  return verdict.isAligned() ? "aligned"
+  return verdict.isAligned()    ? "aligned"
          : verdict.isAccepted() ? "accept"
          : verdict.isOpen()     ? "wait"
                                 : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.skip()));
@@ -173,7 +176,9 @@ TEST_CASE(
 TEST_CASE("breaks: a 00 may stand before the slot's ID, one only, and on S.BUS2 lines only") {
   for (const unsigned end : {0x00u, 0x04u, 0x34u}) {
     const Bytes frame = bytesOf(plainFrame(1, static_cast<uint8_t>(end)));
-    const auto isSlotNext = [&frame](const Bytes &behind) { return rules::isSlotNext(Case{frame + behind}.candidate()); };
+    const auto isSlotNext = [&frame](const Bytes &behind) {
+      return rules::isSlotNext(Case{frame + behind}.candidate());
+    };
     CHECK(isSlotNext({0x00, 0x13}) == (end != 0x00));
     CHECK_FALSE(isSlotNext({0x00, 0x15}));
     CHECK_FALSE(isSlotNext({0x00, 0x00, 0x13}));
@@ -187,7 +192,8 @@ TEST_CASE("repeatsEnd: noise may come before the header, unless a stray characte
     unsigned next;
     int gapAt, offBy;
     bool twice;
-  } rows[] = {{0x00, Far, 0, true}, {0x00, 0, 0, true}, {0x00, Far, 1, true}, {0x00, 0, 1, false}, {0x01, Far, 0, false}};
+  } rows[] = {
+      {0x00, Far, 0, true}, {0x00, 0, 0, true}, {0x00, Far, 1, true}, {0x00, 0, 1, false}, {0x01, Far, 0, false}};
   for (const auto &row : rows) {
     INFO("next ", row.next, ", gapAt ", row.gapAt, ", offBy ", row.offBy);
     const Case c = {Plain + Bytes{static_cast<uint8_t>(row.next)}, row.gapAt, row.offBy};
@@ -196,7 +202,8 @@ TEST_CASE("repeatsEnd: noise may come before the header, unless a stray characte
   }
 }
 
-TEST_CASE("falseSync: before the first frame any end byte before either header counts, later those of the line's variant") {
+TEST_CASE(
+    "falseSync: before the first frame any end byte before either header counts, later those of the line's variant") {
   for (const unsigned header : {0x0Fu, 0x2Fu}) {
     for (const unsigned end : {0x00u, 0x04u, 0x24u, 0x08u}) {
       for (const unsigned inside : {0x00u, 0x04u, 0x14u, 0x08u, 0x40u, 0x01u}) {
@@ -274,7 +281,8 @@ TEST_CASE("isExactlyNext accepts only what judge() accepts as aligned") {
       FrameSizeCheck<Frame16> acquisition = noneSeen();
       accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isAligned();
     }
-    const bool usual = rules::isExactlyNext<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, variant, isInSync);
+    const bool usual =
+        rules::isExactlyNext<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, variant, isInSync);
     CHECK(usual == (accepted && gapAt != 25));  // a gap behind is found by an empty poll, and that is not usual
     return usual;
   };
@@ -354,7 +362,7 @@ TEST_CASE("tail: a gap behind a tail aligns the first frame only if there is als
 TEST_CASE(
     "other, first: before the first frame a line must show its gaps, and not look like one with the other frame size") {
   const Bytes whole = Plain + Bytes{0x0F};
-  CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
+  CHECK(judged({whole, Far, 9, false, false}) == "accept");  // no gap was ever seen
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
@@ -371,8 +379,8 @@ TEST_CASE("frames are forbidden for eight gaps, or one if the characters may be 
     unsigned run;
     int waiting;
     unsigned gaps;
-  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0}, {26, 25, 0}, {27, 25, 1},
-              {37, 25, 0}, {255, 25, 0}};
+  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0},
+              {26, 25, 0}, {27, 25, 1}, {37, 25, 0}, {255, 25, 0}};
   for (const auto &row : rows) {
     INFO("run ", row.run, ", waiting ", row.waiting);
     FrameSizeCheck<Frame16> acquisition = noneSeen();

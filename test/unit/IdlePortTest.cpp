@@ -1,5 +1,5 @@
-// The Grasshopper's port tells when its line was idle, except where its bytes end on a half of its ring. For each place of
-// that ring where a line may begin: what this finds, that no frame is made of two, and what it costs.
+// The Grasshopper's port tells when its line was idle, except where its bytes end on a half of its ring. For each place
+// of that ring where a line may begin: what this finds, that no frame is made of two, and what it costs.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -113,12 +113,14 @@ struct Watching : ListeningBoardOf<DecodeSBus, Port> {
 }  // namespace
 
 TEST_CASE("noise, a silence of one character or more, and a frame: the frame comes, and none is wrong") {
-  const Bytes noises[] = {{0x0F, 0x91}, {0x0F}, {0x0F, 0x00}, {0x0F, 0x0F, 0x00}, {0x0F, 0x55, 0x00, 0x0F}, {0x2F, 0x91}};
+  const Bytes noises[] = {{0x0F, 0x91}, {0x0F}, {0x0F, 0x00}, {0x0F, 0x0F, 0x00}, {0x0F, 0x55, 0x00, 0x0F},
+                          {0x2F, 0x91}};
   for (const Payload payload : Payloads) {
     for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
       for (const Bytes &noise : noises) {
         for (const uint64_t silenceUs : {120u, 180u, 240u, 480u, 600u, 900u, 1500u, 3000u}) {
-          INFO("payload ", static_cast<int>(payload), ", ringAt ", ringAt, ", noise ", noise, ", silenceUs ", silenceUs);
+          INFO("payload ", static_cast<int>(payload), ", ringAt ", ringAt, ", noise ", noise, ", silenceUs ",
+               silenceUs);
           Watching<> board(payload, ringAt);
           board.wholes(4);
           board.send(noise);
@@ -233,7 +235,7 @@ TEST_CASE("a port that calls back, and does not tell when its line was idle, wor
         const unsigned reads = board.port.reads();
         board.whole(periodUs - Ms);
         CHECK(board.port.reads() - reads >= 2);  // no part of a frame is left unread
-        board.sbus.parseSBusFrame();  // finds nothing, which shows the gap
+        board.sbus.parseSBusFrame();             // finds nothing, which shows the gap
         board.take();
         board.pass(Ms);
       }
@@ -244,7 +246,8 @@ TEST_CASE("a port that calls back, and does not tell when its line was idle, wor
   }
 }
 
-TEST_CASE("begin() within a frame restarts the port's ring: the rest of that frame is rejected, and the next frames come") {
+TEST_CASE(
+    "begin() within a frame restarts the port's ring: the rest of that frame is rejected, and the next frames come") {
   for (const Payload payload : Payloads) {
     for (size_t ringAt = 0; ringAt < HalfRing; ringAt++) {
       for (size_t place = 1; place < 25; place++) {

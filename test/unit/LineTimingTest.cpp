@@ -44,10 +44,9 @@ TEST_CASE(
     unsigned found;
     unsigned idle;                // characters that the port waits for
     unsigned gap16, gap24, wide;  // characters, for 16 and 24 channels; and LongestStop
-  } rows[] = {{1, 0, 2, 2, 2},      {16, 0, 2, 2, 2},     {64, 0, 2, 2, 2},     {1, 1, 5, 4, 3},
-              {1, 4, 8, 7, 6},      {8, 1, 14, 11, 17},   {9, 1, 15, 12, 19},   {15, 1, 22, 18, 31},
-              {16, 1, 22, 19, 33},  {16, 4, 22, 19, 36},  {25, 1, 22, 19, 33},  {64, 1, 22, 19, 33},
-              {5000, 4, 22, 19, 36}};
+  } rows[] = {{1, 0, 2, 2, 2},     {16, 0, 2, 2, 2},    {64, 0, 2, 2, 2},     {1, 1, 5, 4, 3},     {1, 4, 8, 7, 6},
+              {8, 1, 14, 11, 17},  {9, 1, 15, 12, 19},  {15, 1, 22, 18, 31},  {16, 1, 22, 19, 33}, {16, 4, 22, 19, 36},
+              {25, 1, 22, 19, 33}, {64, 1, 22, 19, 33}, {5000, 4, 22, 19, 36}};
   for (const auto &row : rows) {
     for (const uint8_t characterTime : {uint8_t{120}, uint8_t{60}}) {
       for (const uint32_t start : {uint32_t{5000}, UINT32_MAX - 300}) {  // the clock wraps

@@ -81,9 +81,7 @@ class Line {
   sbus::LinkQuality _quality;
 };
 
-Came good(unsigned) {
-  return Came::Good;
-}
+Came good(unsigned) { return Came::Good; }
 
 }  // namespace
 

@@ -19,9 +19,7 @@ constexpr uint64_t Hour = 3600 * Second;
 constexpr uint8_t Lost = sbus::FlagLostFrame;
 constexpr uint8_t Failsafe = sbus::FlagFailsafe;
 
-Frame withFlags(uint8_t flags) {
-  return withByte(PaperLow.bytes, 23, flags);
-}
+Frame withFlags(uint8_t flags) { return withByte(PaperLow.bytes, 23, flags); }
 
 // Checks that the class reports this state, and decodes channels only if they may be trusted.
 void checkState(FakeBoard &board, LinkState state) {
@@ -277,7 +275,11 @@ TEST_CASE("DecodeSBusNoPulses takes a frame in which CH1 to CH4 are 0 for a lost
       {"CH1 is 1", {1}, 0, LinkState::Ok, LinkState::Ok},
       {"CH4 is 1024", {0, 0, 0, 1024}, 0, LinkState::Ok, LinkState::Ok},
       {"CH5 is 1", {0, 0, 0, 0, 1}, 0, LinkState::Lossy, LinkState::Failsafe},
-      {"CH5 and CH16", {0, 0, 0, 0, 2047, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1024}, 0, LinkState::Lossy, LinkState::Failsafe},
+      {"CH5 and CH16",
+       {0, 0, 0, 0, 2047, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1024},
+       0,
+       LinkState::Lossy,
+       LinkState::Failsafe},
       {"sticks and failsafe", {992, 992, 172}, Failsafe, LinkState::Failsafe, LinkState::Failsafe},
   };
   for (const auto &row : rows) {

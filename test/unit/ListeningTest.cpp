@@ -47,7 +47,8 @@ struct Listening : ListeningBoard {
 }  // namespace
 
 TEST_CASE(
-    "the first frame waits for the next one's first bytes, or for a call that finds the line silent; the second is there "
+    "the first frame waits for the next one's first bytes, or for a call that finds the line silent; the second is "
+    "there "
     "once the line is idle after it") {
   for (size_t noise = 0; noise < 32; noise++) {
     for (const bool isPolled : {false, true}) {
@@ -73,7 +74,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the silence after 36 characters that one call found is seen: what came before it is no part of the next frame") {
+TEST_CASE(
+    "the silence after 36 characters that one call found is seen: what came before it is no part of the next frame") {
   for (unsigned ring = 0; ring < 16; ring++) {
     CAPTURE(ring);
     Listening board;
@@ -139,7 +141,8 @@ TEST_CASE("a character 00 after each frame costs no frame for long, wherever the
 }
 
 TEST_CASE(
-    "frames of 24 channels are never taken for 16, though the port hands over at a damaged character: 25 characters may "
+    "frames of 24 channels are never taken for 16, though the port hands over at a damaged character: 25 characters "
+    "may "
     "stand before it") {
   for (const uint16_t channel17 : {uint16_t{0}, uint16_t{1024}}) {
     for (unsigned every = 1; every <= 10; every++) {
@@ -178,7 +181,8 @@ TEST_CASE("interrupts masked for some hundred us of each ms, which delay what th
   }
 }
 
-TEST_CASE("an object that was never begun, was ended or has died takes no bytes from the port's owner, and is not called") {
+TEST_CASE(
+    "an object that was never begun, was ended or has died takes no bytes from the port's owner, and is not called") {
   enum Before { Never, Ended, Died };
   for (const Before before : {Never, Ended, Died}) {
     CAPTURE(static_cast<int>(before));

@@ -180,7 +180,8 @@ TEST_CASE("400 packets of each protocol are named, wherever they are joined; the
     std::function<Bytes(const std::vector<unsigned> &, unsigned)> packet;
   } rows[] = {
       {"i-BUS", Finding::IBus, [](const auto &sticks, unsigned) { return iBus(sticks); }},
-      {"CRSF", Finding::Crsf, [](const auto &sticks, unsigned i) { return i % 10 == 9 ? crsfStatistics() : crsf(sticks); }},
+      {"CRSF", Finding::Crsf,
+       [](const auto &sticks, unsigned i) { return i % 10 == 9 ? crsfStatistics() : crsf(sticks); }},
       {"SUMD", Finding::Sumd, [](const auto &sticks, unsigned) { return sumd(sticks); }},
       {"F.Port", Finding::FPort, [](const auto &sticks, unsigned) { return fPort(sticks); }},
       {"DBUS", Finding::Dbus, [](const auto &sticks, unsigned i) { return dbus(sticks, i); }},

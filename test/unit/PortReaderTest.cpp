@@ -1,4 +1,5 @@
-// What a poll asks a port for and in which order, what it drops, and what it tells the link: on a port that is no core's.
+// What a poll asks a port for and in which order, what it drops, and what it tells the link: on a port that is no
+// core's.
 #include "port/PortReader.h"
 
 #include <doctest/doctest.h>
@@ -117,7 +118,8 @@ using Reader = ReaderOf<sbus::Frame16>;
 
 }  // namespace
 
-TEST_CASE("a poll reads what waited when it asked, and never asks for more; what comes meanwhile is left for the next") {
+TEST_CASE(
+    "a poll reads what waited when it asked, and never asks for more; what comes meanwhile is left for the next") {
   for (size_t held = 0; held < 25; held++) {
     for (size_t found = 1; found <= 32; found++) {
       INFO("held ", held, ", found ", found);
@@ -125,9 +127,7 @@ TEST_CASE("a poll reads what waited when it asked, and never asks for more; what
       reader.port.arrive(Bytes(held, 0xA5));
       reader.pollAfter(50);
       reader.port.arrive(Bytes(found, 0xA5));
-      reader.port.answered = [&] {
-        reader.port.arrive({0x0F, 0x0F});
-        };
+      reader.port.answered = [&] { reader.port.arrive({0x0F, 0x0F}); };
       reader.pollAfter(50);
       CHECK(reader.port.bytes.size() == 2);
       CHECK(reader.port.overasked == 0);
@@ -148,17 +148,15 @@ TEST_CASE("bytes that came after a poll found more than half of the buffer, and 
   const struct {
     size_t found, more;
     bool losesOldest, drops;
-  } rows[] = {{33, 31, false, false}, {33, 32, false, true}, {64, 0, false, false}, {64, 1, false, true},
-              {32, 33, false, false},  // at most half: a poll would have to last 4 ms
-              {33, 32, true, false}};  // it has lost before those that were read
+  } rows[] = {{33, 31, false, false}, {33, 32, false, true},  {64, 0, false, false},
+              {64, 1, false, true},   {32, 33, false, false},  // at most half: a poll would have to last 4 ms
+              {33, 32, true, false}};                          // it has lost before those that were read
   for (const auto &row : rows) {
     INFO("found ", row.found, ", more ", row.more, ", loses ", row.losesOldest ? "oldest" : "newest");
     Reader reader;
     reader.port.losesOldest = row.losesOldest;
     reader.port.arrive(Bytes(row.found, 0xA5));
-    reader.port.answered = [&] {
-      reader.port.arrive(Bytes(row.more, 0xA5));
-    };
+    reader.port.answered = [&] { reader.port.arrive(Bytes(row.more, 0xA5)); };
     reader.pollAfter(50);
     CHECK(reader.counters().overflows == (row.drops || row.losesOldest ? 1 : 0));
     CHECK(reader.port.bytes.size() == (row.drops ? 0 : row.more));

@@ -124,9 +124,7 @@ class Port : public HardwareSerial {
 };
 
 // By this the library knows the core's state of the port.
-stm32l0_uart_t *uartOf(Port &port) {
-  return &port.state();
-}
+stm32l0_uart_t *uartOf(Port &port) { return &port.state(); }
 
 // In sync with a line of frames, 9 ms apart.
 struct Scene {

@@ -1,6 +1,6 @@
 // parseSBusFrame() at PendSV level while loop() reads: every reader, interrupted after each of its instructions
-// (support/SingleStep.h). The interrupt takes in whole frames, as Serial1.onReceive() would. The library is compiled here
-// as for the board: -Os, no sanitizers.
+// (support/SingleStep.h). The interrupt takes in whole frames, as Serial1.onReceive() would. The library is compiled
+// here as for the board: -Os, no sanitizers.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -28,12 +28,8 @@ Channels channelsOf(unsigned number) {
   channels[16] = number & 1;
   return channels;
 }
-bool lostOf(unsigned number) {
-  return (number & 1) != 0;
-}
-bool failsafeOf(unsigned number) {
-  return (number & 2) != 0;
-}
+bool lostOf(unsigned number) { return (number & 1) != 0; }
+bool failsafeOf(unsigned number) { return (number & 2) != 0; }
 Frame frameOf(unsigned number) {
   Frame frame = writeBitByBit(channelsOf(number));
   frame[23] = static_cast<uint8_t>(frame[23] | (lostOf(number) ? 4 : 0) | (failsafeOf(number) ? 8 : 0));
@@ -42,11 +38,11 @@ Frame frameOf(unsigned number) {
 
 struct Situation {
   doctest::String what;
-  unsigned framesBefore;   // have come when the reader begins
-  uint32_t ageMs;          // of the newest of them
-  unsigned framesDuring;   // come in during the interrupt
-  uint32_t interruptMs;    // how long the interrupt lasts after these frames
-  bool stale;              // the link would be, without the interrupt
+  unsigned framesBefore;  // have come when the reader begins
+  uint32_t ageMs;         // of the newest of them
+  unsigned framesDuring;  // come in during the interrupt
+  uint32_t interruptMs;   // how long the interrupt lasts after these frames
+  bool stale;             // the link would be, without the interrupt
 };
 
 using Situations = std::vector<Situation>;
@@ -123,37 +119,37 @@ TEST_CASE(
     "decodeSBusFrame() gives one frame with its own flags, or none if it is stale; newFrame() says if it was the "
     "newest") {
   Decoded decoded;
-  everyInstruction(
-      [&](FakeBoard &board) { decoded = board.decode(); },
-      [&](Scene &now, bool) {
-        const bool young = situation->interruptMs < 100;  // after the interrupt
-        unsigned given = UINT32_MAX;                      // the number of the frame
-        for (unsigned number = 0; number < now.next; number++) {
-          if (decoded.channels == channelsOf(number)) {
-            given = number;
-          }
-        }
-        if (given == UINT32_MAX) {
-          REQUIRE(decoded.channels == Untouched);
-          REQUIRE((situation->stale || !young));  // when the reader began, or after the interrupt
-          REQUIRE(decoded.failsafe);
-          REQUIRE(decoded.lostFrame);
-        } else {
-          REQUIRE(given + 1 >= situation->framesBefore);
-          REQUIRE(decoded.failsafe == failsafeOf(given));
-          REQUIRE(decoded.lostFrame == lostOf(given));
-        }
-        REQUIRE(now.board.sbus.newFrame() == (young && given + 1 != now.next));
-        // The next call is undisturbed, and gives the newest.
-        REQUIRE(now.board.channels() == (young ? channelsOf(now.next - 1) : Untouched));
-        REQUIRE_FALSE(now.board.sbus.newFrame());
-        REQUIRE(now.board.sbus.counters().frames == now.next);
-      },
-      All + Long);
+  everyInstruction([&](FakeBoard &board) { decoded = board.decode(); },
+                   [&](Scene &now, bool) {
+                     const bool young = situation->interruptMs < 100;  // after the interrupt
+                     unsigned given = UINT32_MAX;                      // the number of the frame
+                     for (unsigned number = 0; number < now.next; number++) {
+                       if (decoded.channels == channelsOf(number)) {
+                         given = number;
+                       }
+                     }
+                     if (given == UINT32_MAX) {
+                       REQUIRE(decoded.channels == Untouched);
+                       REQUIRE((situation->stale || !young));  // when the reader began, or after the interrupt
+                       REQUIRE(decoded.failsafe);
+                       REQUIRE(decoded.lostFrame);
+                     } else {
+                       REQUIRE(given + 1 >= situation->framesBefore);
+                       REQUIRE(decoded.failsafe == failsafeOf(given));
+                       REQUIRE(decoded.lostFrame == lostOf(given));
+                     }
+                     REQUIRE(now.board.sbus.newFrame() == (young && given + 1 != now.next));
+                     // The next call is undisturbed, and gives the newest.
+                     REQUIRE(now.board.channels() == (young ? channelsOf(now.next - 1) : Untouched));
+                     REQUIRE_FALSE(now.board.sbus.newFrame());
+                     REQUIRE(now.board.sbus.counters().frames == now.next);
+                   },
+                   All + Long);
 }
 
 TEST_CASE(
-    "SBusFrameOk(), linkState(), frameAge(), newFrame() and counters() are those before the interrupt, or of one of the "
+    "SBusFrameOk(), linkState(), frameAge(), newFrame() and counters() are those before the interrupt, or of one of "
+    "the "
     "frames that came") {
   bool ok = false, fresh = false;
   sbus::LinkState state{};

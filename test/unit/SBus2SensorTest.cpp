@@ -205,7 +205,8 @@ TEST_CASE("if two callbacks disagree on a frame's end, one was held up: nothing 
               {-40, true, 11040}, {-41, false, 0},   {3000, false, 0}};
   for (const auto &row : rows) {
     CAPTURE(row.heldUp);
-    const sbus::FrameEnd end = sbus::frameEndOfCallback(ReceiveNotice::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
+    const sbus::FrameEnd end =
+        sbus::frameEndOfCallback(ReceiveNotice::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
     CHECK((end.latest - end.earliest <= sbus::SlotSchedule::MostOff) == row.isKnown);
     if (row.isKnown) {
       CHECK(end.latest == row.latest);

@@ -46,9 +46,7 @@ Sensor readBack(const Sensor &sensor) {
   return back;
 }
 
-sbus::SlotData dataOf(unsigned word) {
-  return {static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word)};
-}
+sbus::SlotData dataOf(unsigned word) { return {static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word)}; }
 
 // Returns how many words are encoded from their own value.
 template <typename Sensor>
@@ -185,8 +183,8 @@ TEST_CASE("every value in its range comes back from its slots: temperature, curr
     REQUIRE(vario.centimetresPerSecond == 2 * value);
     REQUIRE(vario.metres == value);
     const int32_t latitude = 3295 * value, longitude = 6591 * value;  // up to 89 and 179 degrees, on both sides
-    const sbus::GpsF1675 gps =
-        readBack(sbus::GpsF1675{static_cast<uint16_t>(value & 0x3FFF), value > 0, number, mine, number, latitude, longitude});
+    const sbus::GpsF1675 gps = readBack(
+        sbus::GpsF1675{static_cast<uint16_t>(value & 0x3FFF), value > 0, number, mine, number, latitude, longitude});
     REQUIRE(gps.latitude == latitude);
     REQUIRE(gps.longitude == longitude);
     REQUIRE(gps.kilometresPerHour == (value & 0x3FFF));
@@ -194,10 +192,16 @@ TEST_CASE("every value in its range comes back from its slots: temperature, curr
     REQUIRE(gps.metres == value);
     REQUIRE(gps.decimetresPerSecond == value);
     const auto height = static_cast<int16_t>(value < -8200 ? value + 8192 : value);
-    const sbus::GpsSbs01G sent{static_cast<uint32_t>(value & 0x1FFFF), latitude, longitude,
-                               static_cast<uint16_t>(value & 0x1FF), value > 0, static_cast<uint8_t>(value & 3),
-                               static_cast<uint16_t>(value & 0x3FFF), height,
-                               static_cast<int16_t>((value & 0xFFF) - 1500), value < 0};
+    const sbus::GpsSbs01G sent{static_cast<uint32_t>(value & 0x1FFFF),
+                               latitude,
+                               longitude,
+                               static_cast<uint16_t>(value & 0x1FF),
+                               value > 0,
+                               static_cast<uint8_t>(value & 3),
+                               static_cast<uint16_t>(value & 0x3FFF),
+                               height,
+                               static_cast<int16_t>((value & 0xFFF) - 1500),
+                               value < 0};
     const sbus::GpsSbs01G big = readBack(sent);
     REQUIRE(big.secondsOfDay == sent.secondsOfDay);
     REQUIRE(big.latitude == latitude);

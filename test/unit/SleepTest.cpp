@@ -162,7 +162,7 @@ TEST_CASE("the first frame after 50 ms of sleep may be of before it, or of two: 
 TEST_CASE("millis() adds to an age only what it gains on micros() beyond its own ticks, 2 ms") {
   const struct {
     uint32_t ms, us, ageUs;  // since the frame, by each clock
-  } rows[] = {{0, 0, 0},       {1, 0, 0},          {2, 0, 0},           {3, 0, 1000},       {2, 700, 700},
+  } rows[] = {{0, 0, 0},       {1, 0, 0},          {2, 0, 0},          {3, 0, 1000},       {2, 700, 700},
               {3, 1000, 1000}, {52, 50000, 50000}, {53, 50000, 51000}, {60, 10000, 58000}, {0, 1900, 1900}};
   for (const auto &row : rows) {
     INFO(row.ms, " ms, ", row.us, " us");
@@ -196,7 +196,8 @@ TEST_CASE("on a board that is awake, millis() changes no age, whatever its ticks
   }
 }
 
-TEST_CASE("on a board that is awake, no frame is stale over five hours, with pauses of up to 98 ms, across both wraps") {
+TEST_CASE(
+    "on a board that is awake, no frame is stale over five hours, with pauses of up to 98 ms, across both wraps") {
   for (const uint64_t start : {MicrosWrap - Hour, MillisWrap - Hour}) {
     fakeMicros = start;
     SyncedBoard board;

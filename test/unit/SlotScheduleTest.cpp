@@ -11,8 +11,8 @@
 
 namespace {
 
-using sbus::SlotSchedule;
 using sbus::SlotData;
+using sbus::SlotSchedule;
 
 // Data of slot k: k and `round`.
 std::vector<SlotData> dataFrom(uint8_t first, uint8_t count, uint8_t round = 0) {
@@ -27,9 +27,7 @@ void write(SlotSchedule &answers, uint8_t first, uint8_t count, uint8_t round = 
   CHECK(answers.write(first, count, dataFrom(first, count, round).data()));
 }
 
-void take(SlotSchedule &answers, uint8_t end) {
-  answers.taken(plainFrame(0, end).data());
-}
+void take(SlotSchedule &answers, uint8_t end) { answers.taken(plainFrame(0, end).data()); }
 
 // Reports a frame with this end byte, which ended between these times.
 void frame(SlotSchedule &answers, uint8_t end, uint32_t earliest, uint32_t latest, uint32_t gap = 12000) {
@@ -269,8 +267,12 @@ TEST_CASE("no answer is planned that might run into the next frame, however earl
     uint32_t gap;  // us, until the next frame
     const char *slots;
   } rows[] = {
-      {12000, "8 9 10 11 12 13 14 15 "}, {7111, "8 9 10 11 12 13 14 15 "}, {7110, "8 9 10 11 12 13 14 "},
-      {4000, "8 9 10 "},                 {2491, "8 "},                     {2490, ""},
+      {12000, "8 9 10 11 12 13 14 15 "},
+      {7111, "8 9 10 11 12 13 14 15 "},
+      {7110, "8 9 10 11 12 13 14 "},
+      {4000, "8 9 10 "},
+      {2491, "8 "},
+      {2490, ""},
       {0, ""},
   };
   for (const auto &row : rows) {

@@ -13,7 +13,7 @@
 namespace {
 
 // What a port that hands over each character at once shows.
-constexpr uint32_t LeastUs = 2 * Feeder::CharacterUs + 1;  // a gap
+constexpr uint32_t LeastUs = 2 * Feeder::CharacterUs + 1;    // a gap
 constexpr uint32_t MostUs = 2 * Feeder::CharacterUs + 1500;  // within a frame
 constexpr uint32_t WideUs = MostUs + 1;
 constexpr uint32_t LongUs = 50000;  // the next character may be anywhere in a frame
@@ -178,8 +178,8 @@ TEST_CASE(
     "a stretched frame begins in sync, or after a wide gap; a gap that is not wide may lie within another frame") {
   const struct {
     const char *what;
-    Bytes before;     // characters that belong to no frame, and out of sync
-    uint32_t gapUs;   // after them
+    Bytes before;    // characters that belong to no frame, and out of sync
+    uint32_t gapUs;  // after them
     bool isDelivered;
   } rows[] = {
       {"in sync", {}, LeastUs, true},
@@ -238,9 +238,7 @@ TEST_CASE(
   joinParts({6000, 6300, 7000, 9000, 14000, 15000});
 }
 
-TEST_CASE("... nor if frames come each 4 or 5 ms") {
-  joinParts({4000, 5000});
-}
+TEST_CASE("... nor if frames come each 4 or 5 ms") { joinParts({4000, 5000}); }
 
 TEST_CASE("a gap inside that is only likely rejects, and shows all the same that the sender stretches frames") {
   // The port has handed over 12 characters, and 13 more so late that these may not follow them directly.

@@ -23,9 +23,7 @@ using sbus::Symptoms;
 constexpr unsigned Seed = 20181;
 constexpr unsigned Least = 12;
 
-Bytes frame() {
-  return bytesOf(Neutral.bytes);
-}
+Bytes frame() { return bytesOf(Neutral.bytes); }
 Bytes changed(size_t at, uint8_t byte) {
   Bytes bytes = frame();
   bytes[at] = byte;
@@ -58,25 +56,35 @@ TEST_CASE("twelve packets of one length and with one first byte are a finding, u
     Finding finding;
   } rows[] = {
       {"frames", [](unsigned) { return frame(); }, Finding::NoSignal},
-      {"frames of S.BUS2", [](unsigned i) { return changed(24, static_cast<uint8_t>(i % 4 << 4 | 4)); }, Finding::NoSignal},
+      {"frames of S.BUS2", [](unsigned i) { return changed(24, static_cast<uint8_t>(i % 4 << 4 | 4)); },
+       Finding::NoSignal},
       {"frames of FASSTest 26", [](unsigned i) { return changed(0, i % 2 == 0 ? 0x2F : 0x0F); }, Finding::NoSignal},
-      {"frames and tails of an R7003SB", [](unsigned) { return changed(24, 8) + Bytes{0, 3, 0xC0, 0x33, 0}; }, Finding::NoSignal},
+      {"frames and tails of an R7003SB",
+       [](unsigned) {
+         return changed(24, 8) + Bytes{0, 3, 0xC0, 0x33, 0};
+       },
+       Finding::NoSignal},
       {"frames of 24 channels", [](unsigned) { return bytesOf(Published24.bytes); }, Finding::NoSignal},
       {"header F0", [](unsigned) { return changed(0, 0xF0); }, Finding::WrongPackets},
       {"end byte 55", [](unsigned) { return changed(24, 0x55); }, Finding::WrongPackets},
       {"24 bytes", [](unsigned) { return part(frame(), 0, 24); }, Finding::WrongPackets},
       {"5 bytes", [](unsigned) { return part(frame(), 0, 5); }, Finding::WrongPackets},
-      {"slots of 3 bytes", [](unsigned) { return Bytes{3, 0xC0, 0x2E}; }, Finding::NoSignal},
+      {"slots of 3 bytes",
+       [](unsigned) {
+         return Bytes{3, 0xC0, 0x2E};
+       },
+       Finding::NoSignal},
       {"64 bytes", [](unsigned) { return Bytes(64, 0x55); }, Finding::WrongPackets},
       {"65 bytes", [](unsigned) { return Bytes(65, 0x55); }, Finding::NoSignal},
       {"300 bytes", [](unsigned) { return Bytes(300, 0x55); }, Finding::NoSignal},
-      {"24 channels, a wrong end byte",
-       [](unsigned) { return part(bytesOf(Published24.bytes), 0, 35) + Bytes{0x55}; },
+      {"24 channels, a wrong end byte", [](unsigned) { return part(bytesOf(Published24.bytes), 0, 35) + Bytes{0x55}; },
        Finding::WrongPackets},
       {"flags 30", [](unsigned) { return changed(23, 0x30); }, Finding::UnusedFlags},
       {"flags 80, then 10", [](unsigned i) { return changed(23, i % 2 == 0 ? 0x80 : 0x10); }, Finding::UnusedFlags},
-      {"flags 10, end byte 55", [](unsigned) { return part(changed(23, 0x10), 0, 24) + Bytes{0x55}; }, Finding::WrongPackets},
-      {"another first byte each time", [](unsigned i) { return changed(0, static_cast<uint8_t>(0x70 + i)); }, Finding::NoSignal},
+      {"flags 10, end byte 55", [](unsigned) { return part(changed(23, 0x10), 0, 24) + Bytes{0x55}; },
+       Finding::WrongPackets},
+      {"another first byte each time", [](unsigned i) { return changed(0, static_cast<uint8_t>(0x70 + i)); },
+       Finding::NoSignal},
       {"another length each time", [](unsigned i) { return Bytes(10 + i % 2, 0x0F); }, Finding::NoSignal},
   };
   for (const auto &row : rows) {
@@ -187,19 +195,26 @@ TEST_CASE("a FrameFinder tells of packets, protocols, no pulses and the flag's r
   } rows[] = {
       {"frames", [](unsigned) { return frame(); }, Finding::NoSignal, 0},
       {"frames of FASSTest 26", [](unsigned i) { return changed(0, i % 2 == 0 ? 0x2F : 0x0F); }, Finding::NoSignal, 0},
-      {"S.BUS2", [](unsigned) { return changed(24, 4) + Bytes{3, 0xC0, 0x2E}; }, Finding::NoSignal, 0},
+      {"S.BUS2",
+       [](unsigned) {
+         return changed(24, 4) + Bytes{3, 0xC0, 0x2E};
+       },
+       Finding::NoSignal, 0},
       {"24 bytes", [](unsigned) { return part(frame(), 0, 24); }, Finding::WrongPackets, 0},
       {"23 bytes", [](unsigned) { return part(frame(), 0, 23); }, Finding::WrongPackets, 0},
       {"12 bytes", [](unsigned) { return part(frame(), 0, 12); }, Finding::WrongPackets, 0},
       {"header F0", [](unsigned) { return changed(0, 0xF0); }, Finding::WrongPackets, 0},
-      {"flags 30, now and then", [](unsigned i) { return changed(23, i % 3 == 0 ? 0x30 : 0); }, Finding::UnusedFlags, 0},
+      {"flags 30, now and then", [](unsigned i) { return changed(23, i % 3 == 0 ? 0x30 : 0); }, Finding::UnusedFlags,
+       0},
       {"every second frame lost", [](unsigned i) { return changed(23, i % 2 == 0 ? 4 : 0); }, Finding::LostInTurn, 0},
       {"no pulses", [](unsigned) { return Bytes{0x0F} + Bytes(24, 0); }, Finding::NoSignal, 40},
-      {"no pulses in failsafe", [](unsigned) { return Bytes{0x0F} + Bytes(22, 0) + Bytes{8, 0}; }, Finding::NoSignal, 0},
-      {"0 on CH1 to CH4 but for a bit",
-       [](unsigned) { return Bytes{0x0F} + Bytes(5, 0) + Bytes{8} + Bytes(18, 0); },
-       Finding::NoSignal,
-       0},
+      {"no pulses in failsafe",
+       [](unsigned) {
+         return Bytes{0x0F} + Bytes(22, 0) + Bytes{8, 0};
+       },
+       Finding::NoSignal, 0},
+      {"0 on CH1 to CH4 but for a bit", [](unsigned) { return Bytes{0x0F} + Bytes(5, 0) + Bytes{8} + Bytes(18, 0); },
+       Finding::NoSignal, 0},
       {"i-BUS",
        [](unsigned) {
          return Bytes{0x20, 0x40} + Bytes{0xDC, 5, 0xDC, 5, 0xDC, 5, 0xDC, 5, 0xDC, 5, 0xDC, 5, 0xDC, 5} +

@@ -137,9 +137,7 @@ bool Bridge::haveEnded() const {
                      [](const Receiver *receiver) { return receiver == nullptr || receiver->input->hasEnded(); });
 }
 
-bool Bridge::isBroken() const {
-  return haveEnded() && _receivers[0]->input->isBroken();
-}
+bool Bridge::isBroken() const { return haveEnded() && _receivers[0]->input->isBroken(); }
 
 // While no fresh frames arrive, sends the newest values with both flags, like a receiver without a link. The end of a
 // file is no silence of the line. Returns true if it has to.
@@ -168,9 +166,12 @@ void Bridge::send(Kind kind, const line::Character &last, uint8_t flags) {
   const bool isFresh = nowUs <= receiver.freshUs + line::SilenceUs && !isBroken();
   const sbus::LinkState state = isFresh ? receiver.observer.state(nowUs) : sbus::LinkState::Stale;
   const line::Values &newest = receiver.observer.newest();
-  BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
+  BridgedFrame frame{kind,
+                     _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
                      kind == Kind::Extra ? line::withFlags(newest, flags) : newest,
-                     _options.keepsEnd ? _end : uint8_t{0}, last.sinceUs, last.lateUs};
+                     _options.keepsEnd ? _end : uint8_t{0},
+                     last.sinceUs,
+                     last.lateUs};
   if (const sbus::Trainer *const trainer = _options.rules.trainer()) {
     trainer->train(frame.values.raw.data(), receiver.reception, _receivers[1]->observer.newest().raw.data());
   }

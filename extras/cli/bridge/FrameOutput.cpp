@@ -28,8 +28,7 @@ constexpr size_t FlagsAndEnd = 2;  // the last bytes of a frame
 
 FrameOutput::FrameOutput(const std::string &to, const line::LineSettings &settings)
     : _destination(to == "-" ? nullptr : std::make_unique<Destination>(to, settings)),
-      _characterUs(settings.characterUs()) {
-}
+      _characterUs(settings.characterUs()) {}
 
 bool FrameOutput::mayLeave(uint64_t sinceUs) {
   const uint64_t nowUs = line::clockUs();

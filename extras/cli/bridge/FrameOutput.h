@@ -73,7 +73,7 @@ class FrameOutput {
   Clock::time_point _writtenAt{};
   Clock::time_point _freeFrom{};  // the next frame may begin now
   std::deque<BridgedFrame> _waiting;
-  size_t _begun = 0;  // bytes of the first of them that have been sent
+  size_t _begun = 0;        // bytes of the first of them that have been sent
   uint64_t _printedUs = 0;  // the time of the last line
   unsigned long _sent = 0;
   unsigned long _replaced = 0;

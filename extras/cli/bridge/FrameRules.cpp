@@ -31,8 +31,8 @@ uint8_t trainersChannel(std::string_view word) {
 }  // namespace
 
 FrameRules::FrameRules(Subcommand &subcommand) {
-  _trainerOption =
-      subcommand.option("--trainer", _trainerText, "while this channel is on, take CH1 to CH4, or these, from --second");
+  _trainerOption = subcommand.option("--trainer", _trainerText,
+                                     "while this channel is on, take CH1 to CH4, or these, from --second");
   _trainerOption.type("CH[=CH,...]");
   subcommand.option("--map", _map, "the channels of SOURCE that become CH1, CH2 ...; -3: CH3 reversed").type("N,N,...");
   subcommand.option("--limit", _limit, "the ends of channels, such as ch3=172..1500").type("CH=LOW..HIGH,...");
@@ -87,14 +87,18 @@ void FrameRules::readLimits() {
     return;
   }
   line::forEachBetweenCommas(_limit, [&](std::string_view word) {
-    const std::string wrong = "--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or "
-                              "ch3=-100%..50%, are expected, not " + line::quoted(word);
+    const std::string wrong =
+        "--limit: the lower and the upper end of ch1 to ch16, each once, such as ch3=172..1500 or "
+        "ch3=-100%..50%, are expected, not " +
+        line::quoted(word);
     const size_t sign = word.find('='), dots = word.find("..");
     const size_t channel = channelOr(wrong, word.substr(0, sign));
     const bool isWhole = sign != word.npos && dots != word.npos && dots > sign;
-    const auto low = isWhole ? line::parseValue(std::string(word.substr(sign + 1, dots - sign - 1)), _range) : std::nullopt;
+    const auto low =
+        isWhole ? line::parseValue(std::string(word.substr(sign + 1, dots - sign - 1)), _range) : std::nullopt;
     const auto high = isWhole ? line::parseValue(std::string(word.substr(dots + 2)), _range) : std::nullopt;
-    const bool isAgain = std::any_of(_limits.begin(), _limits.end(), [&](const Limit &other) { return other.channel == channel; });
+    const bool isAgain =
+        std::any_of(_limits.begin(), _limits.end(), [&](const Limit &other) { return other.channel == channel; });
     const bool isTurned = _range.low > _range.high;  // -100 % has the higher raw value
     if (!low || !high || isAgain || (*low > *high && !isTurned)) {
       rejectCommandLine(wrong);

@@ -40,9 +40,9 @@ struct MonitorView {
   sbus::Range pulses{};  // raw values at 988, 1500 and 2012 us
   std::vector<Channel> channels;
   std::vector<Indicator> indicators;
-  std::string quality;  // the link's, "quality 98 %"; empty for rows
+  std::string quality;        // the link's, "quality 98 %"; empty for rows
   std::vector<Group> groups;  // the most important one first
-  std::string plain;  // the counters and times in one line, for a pipe
+  std::string plain;          // the counters and times in one line, for a pipe
 };
 
 }  // namespace tool

@@ -34,9 +34,7 @@ const Look Looks[] = {
     {Style::BadBanner, COLOR_WHITE, COLOR_RED, A_BOLD, A_REVERSE},
 };
 
-short pairOf(Style style) {
-  return static_cast<short>(static_cast<int>(style) + 1);
-}
+short pairOf(Style style) { return static_cast<short>(static_cast<int>(style) + 1); }
 
 }  // namespace
 
@@ -82,9 +80,7 @@ Screen::~Screen() {
   delscreen(_screen);
 }
 
-PageSize Screen::size() const {
-  return {getmaxx(stdscr), getmaxy(stdscr)};
-}
+PageSize Screen::size() const { return {getmaxx(stdscr), getmaxy(stdscr)}; }
 
 void Screen::draw(const std::vector<PageRow> &page) {
   erase();

@@ -93,7 +93,8 @@ constexpr Withdrawn AllWithdrawn[] = {
 
 // Returns "was withdrawn; ..." for such a word, otherwise "".
 std::string whereTo(const std::string &word) {
-  const auto found = std::find_if(std::begin(AllWithdrawn), std::end(AllWithdrawn), [&](const Withdrawn &each) { return word == each.word; });
+  const auto found = std::find_if(std::begin(AllWithdrawn), std::end(AllWithdrawn),
+                                  [&](const Withdrawn &each) { return word == each.word; });
   return found == std::end(AllWithdrawn) ? "" : std::string(" was withdrawn; ") + found->now;
 }
 
@@ -142,9 +143,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-bool takesValue(const CLI::Option &option) {
-  return option.get_items_expected_min() > 0;
-}
+bool takesValue(const CLI::Option &option) { return option.get_items_expected_min() > 0; }
 
 // Returns the possible words for an argument of this `type`: for "auto|always|never" these three, for a name in
 // capitals the words that it stands for.
@@ -205,9 +204,7 @@ void addHelp(CLI::App &app) {
   subcommand->callback([&app, name] { printHelp(app, *name); });
 }
 
-void formatHelp(CLI::App &app) {
-  app.formatter(std::make_shared<HelpFormatter>());
-}
+void formatHelp(CLI::App &app) { app.formatter(std::make_shared<HelpFormatter>()); }
 
 std::string versionText() {
   return "sbus " VERSION " (DecodeSBus)\nCLI11 " CLI11_VERSION ", libserialport " +
@@ -244,8 +241,10 @@ std::string misplacedWord(const CLI::App &app) {
 
 std::string unknownSubcommand(const CLI::App &app, const std::string &name) {
   const std::string instead = whereTo(name);
-  return !instead.empty() ? name + instead : name + " is not a subcommand" + (name.find_first_of("./") == std::string::npos ? "" : ", and there is no such file") +
-                                                     "; " + suggestion(name, subcommandNames(app)) + "sbus --help lists them";
+  return !instead.empty() ? name + instead
+                          : name + " is not a subcommand" +
+                                (name.find_first_of("./") == std::string::npos ? "" : ", and there is no such file") +
+                                "; " + suggestion(name, subcommandNames(app)) + "sbus --help lists them";
 }
 
 std::string subcommandFor(const CLI::App &app, const std::string &word) {

@@ -42,7 +42,8 @@ void cut(const std::string &name, FileSource &file, const PartOption &part) {
     }
   }
   file.recording.beginUs = std::max(file.recording.beginUs, part.fromUs(file.zeroUs));
-  file.recording.endUs = std::min(file.recording.endUs, part.toUs(file.zeroUs) > 0 ? part.toUs(file.zeroUs) : UINT64_MAX);
+  file.recording.endUs =
+      std::min(file.recording.endUs, part.toUs(file.zeroUs) > 0 ? part.toUs(file.zeroUs) : UINT64_MAX);
   if (file.recording.characters.empty()) {
     throw std::runtime_error(name + emptyPart(static_cast<int64_t>(all[0].endUs) + file.zeroUs,
                                               static_cast<int64_t>(all.back().endUs) + file.zeroUs));
@@ -180,7 +181,8 @@ void SourceOption::openPipe(Parsed &parsed) const {
   _startUs = wallUs();
   _pipe = std::make_shared<Pipe>(parsed.name);
   Pipe::Content content = _given.asRows.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
-  content = content == Pipe::Content::Line && !_given.asRows.given() && _pipe->isMangled() ? Pipe::Content::File : content;
+  content =
+      content == Pipe::Content::Line && !_given.asRows.given() && _pipe->isMangled() ? Pipe::Content::File : content;
   _isLiveText = content == Pipe::Content::Text && _given.playback != Playback::Repeatable;
   const bool hasPace = content == Pipe::Content::Line || (_isLiveText && _given.playback == Playback::RealTime);
   _isAtOnce = hasPace && !_given.simulatedTime.given() && _pipe->isFileAtOnce();
@@ -260,8 +262,7 @@ void SourceOption::rejectRows() const {
 
 bool SourceOption::isWire() const {
   const Kind kind = parsed().kind;
-  return kind == Kind::File ? !file().isRows() && !file().areBytes()
-                            : kind == Kind::Simulated || kind == Kind::Values;
+  return kind == Kind::File ? !file().isRows() && !file().areBytes() : kind == Kind::Simulated || kind == Kind::Values;
 }
 
 std::optional<double> SourceOption::shownUs(uint64_t us) const {

@@ -46,9 +46,7 @@ Option &Option::between(double low, double high) {
   return *this;
 }
 
-Option &Option::seconds() {
-  return between(0.001, 366.0 * 24 * 60 * 60);
-}
+Option &Option::seconds() { return between(0.001, 366.0 * 24 * 60 * 60); }
 
 Option &Option::notEmpty() {
   _option->check(CLI::Validator(checkName, ""));
@@ -70,16 +68,11 @@ Option &Option::type(const char *name) {
   return *this;
 }
 
-bool Option::given() const {
-  return _option != nullptr && _option->count() > 0;
-}
+bool Option::given() const { return _option != nullptr && _option->count() > 0; }
 
-std::string Option::name() const {
-  return _option->get_name();
-}
+std::string Option::name() const { return _option->get_name(); }
 
-Subcommand::Subcommand(CLI::App &app, const char *name, const char *what) : _app(app.add_subcommand(name, what)) {
-}
+Subcommand::Subcommand(CLI::App &app, const char *name, const char *what) : _app(app.add_subcommand(name, what)) {}
 
 Option Subcommand::option(const char *names, std::string &value, const char *what) {
   return Option(_app->add_option(names, value, what));
@@ -101,28 +94,20 @@ Option Subcommand::option(const char *names, const std::function<void(double)> &
   return Option(_app->add_option_function<double>(names, set, what));
 }
 
-Option Subcommand::flag(const char *name, const char *what) {
-  return Option(_app->add_flag(name)->description(what));
-}
+Option Subcommand::flag(const char *name, const char *what) { return Option(_app->add_flag(name)->description(what)); }
 
 Option Subcommand::flag(const char *name, bool &value, const char *what) {
   return Option(_app->add_flag(name, value, what));
 }
 
-void Subcommand::footer(const char *text) {
-  _app->footer(text);
-}
+void Subcommand::footer(const char *text) { _app->footer(text); }
 
-void Subcommand::run(std::function<void()> work) {
-  _app->callback(std::move(work));
-}
+void Subcommand::run(std::function<void()> work) { _app->callback(std::move(work)); }
 
 void rejectCommandLine(const std::string &reason) {
   throw CLI::ValidationError(reason, CLI::ExitCodes::ValidationError);
 }
 
-void fail() {
-  throw CLI::RuntimeError(EXIT_FAILURE);
-}
+void fail() { throw CLI::RuntimeError(EXIT_FAILURE); }
 
 }  // namespace tool

@@ -24,9 +24,7 @@ using line::LostSpan;
 
 const char *const Names[] = {"A", "B"};
 
-double seconds(int64_t us) {
-  return static_cast<double>(us) / 1e6;
-}
+double seconds(int64_t us) { return static_cast<double>(us) / 1e6; }
 
 std::string counted(unsigned long count, const char *what) {
   return line::format("%lu %s%s", count, what, count == 1 ? "" : "s");
@@ -71,9 +69,9 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   std::string text;
   for (const size_t side : {size_t{0}, size_t{1}}) {
     text += std::string(Names[side]) + "            " + names[side] + ": " + counted(counts.frames[side], "frame") +
-            (counts.alone[side] > 0
-                 ? line::format(", %lu before the beginning or after the end of %s", counts.alone[side], Names[1 - side])
-                 : "") +
+            (counts.alone[side] > 0 ? line::format(", %lu before the beginning or after the end of %s",
+                                                   counts.alone[side], Names[1 - side])
+                                    : "") +
             '\n';
   }
   const auto [a, b] = counts.channels;
@@ -83,8 +81,7 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
           '\n' + lostText(counts, 0, zeroUs) + lostText(counts, 1, zeroUs);
   if (counts.late[0] + counts.late[1] > 0) {
-    text += line::format("not compared %lu of A, %lu of B: the PC was late\n",
-                         counts.late[0], counts.late[1]);
+    text += line::format("not compared %lu of A, %lu of B: the PC was late\n", counts.late[0], counts.late[1]);
   }
   text += "first        " + differenceText(counts.first, zeroUs) + '\n';
   for (const auto &[name, why] : {std::pair("rates", comparison.rates()), std::pair("scales", comparison.scales())}) {
@@ -210,10 +207,10 @@ void run(const Options &options) {
   comparison.finish();
   if (!comparison.any()) {
     const std::string why = comparison.why();
-    throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common" + (why.empty() ? "" : ". ") + why);
+    throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common" + (why.empty() ? "" : ". ") +
+                             why);
   }
-  write(options.json ? json(comparison, a.zeroUs())
-                     : text(comparison, {a.name(), b.name()}, a.zeroUs()));
+  write(options.json ? json(comparison, a.zeroUs()) : text(comparison, {a.name(), b.name()}, a.zeroUs()));
   flush();
   one.input().requireWhole();
   other.input().requireWhole();

@@ -52,10 +52,10 @@ class DecodeTable {
     for (const std::string &name : wire.others()) {
       others += (others.empty() ? ", as does " : ", ") + name;
     }
-    write("signal " + wire.signal() +
-          (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") + others +
-          (_isMeasured ? ": " + text(found.settings) + line::format(" (measured %.0f, %+.2f %%)", 1e9 / found.bitNs,
-                                                                    100 * found.deviation())
+    write("signal " + wire.signal() + (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") +
+          others +
+          (_isMeasured ? ": " + text(found.settings) +
+                             line::format(" (measured %.0f, %+.2f %%)", 1e9 / found.bitNs, 100 * found.deviation())
                        : ", as decoded by the analyser") +
           (_showsCharacters ? "\n\n     time ms  byte\n" : "\n"));
   }
@@ -285,8 +285,8 @@ void decode(const Options &options, const Put &record) {
   }
   if (observer.counters().frames == 0 && !options.characters) {
     if (const sbus::Finding other = observer.otherProtocol(); other != sbus::Finding::NoSignal) {
-      throw std::runtime_error(options.capture + ": signal " + wire.signal() + ": " + std::string(sbus::text(other)) + " " +
-                               std::string(sbus::remedy(other)));
+      throw std::runtime_error(options.capture + ": signal " + wire.signal() + ": " + std::string(sbus::text(other)) +
+                               " " + std::string(sbus::remedy(other)));
     }
     throw std::runtime_error(options.capture + ": " + whyNoFrame(wire, observer.characters()));
   }

@@ -125,7 +125,9 @@ std::optional<Verdict> verdictOnBaud(sbus::Finding finding, const std::vector<st
   if (found == heard.end() || (finding != sbus::Finding::NoFrames && finding != sbus::Finding::WrongPackets)) {
     return std::nullopt;
   }
-  return Verdict{false, "Wrong baud rate: these are frames of S.Bus that a port has read at " + std::to_string((*found)->readAtBaud()) + " baud.",
+  return Verdict{false,
+                 "Wrong baud rate: these are frames of S.Bus that a port has read at " +
+                     std::to_string((*found)->readAtBaud()) + " baud.",
                  "Read the port with sbus, which sets 100000 baud, 8E2: a terminal program often cannot."};
 }
 
@@ -167,12 +169,16 @@ bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<
       line::isWell(diagnosis.finding()) && !hasParity ? sbus::Finding::NoParity : diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
   const bool areWrong = finding == sbus::Finding::WrongPackets || finding == sbus::Finding::UnusedFlags;
-  const auto shaped = std::find_if(heard.begin(), heard.end(), [&](const auto &each) { return each->trial().other == finding; });
+  const auto shaped =
+      std::find_if(heard.begin(), heard.end(), [&](const auto &each) { return each->trial().other == finding; });
   const std::optional<Verdict> onBaud = verdictOnBaud(finding, heard);
-  const Verdict verdict = onBaud ? *onBaud : verdictOnLine(
-      finding, best, advice(finding, source, settings.front(), settings[diagnosis.best()], best.periodMs()));
+  const Verdict verdict =
+      onBaud ? *onBaud
+             : verdictOnLine(finding, best,
+                             advice(finding, source, settings.front(), settings[diagnosis.best()], best.periodMs()));
   write(asJson ? verdict.json().text("line", best.variant()).line()
-               : verdict.text() + (areWrong && !onBaud ? (*shaped)->packets() : "") + best.figures(source.hasTimes()) + best.telemetry() + best.note());
+               : verdict.text() + (areWrong && !onBaud ? (*shaped)->packets() : "") + best.figures(source.hasTimes()) +
+                     best.telemetry() + best.note());
   return verdict.well;
 }
 

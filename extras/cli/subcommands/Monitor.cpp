@@ -199,7 +199,8 @@ void addMonitor(CLI::App &app) {
   options->sensors = std::make_unique<SensorOption>(subcommand);
   subcommand.flag("--json", options->json, "JSON lines in place of the page: one a second, and one at each change");
   subcommand.footer(
-      "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays after the line has ended, until "
+      "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays after the line has ended, "
+      "until "
       "--seconds are over. If standard output is not a terminal, it prints a line every second, and one when the state "
       "changes.");
   subcommand.run([source, options] { run(*source, *options); });

@@ -40,9 +40,7 @@ constexpr KnownPort KnownPorts[] = {
     {0x10C4, 0xEA60, "CP210x: no setting inverts it; put an inverter in front of RXD"},
 };
 
-std::string textOf(const char *text) {
-  return text != nullptr ? text : "";
-}
+std::string textOf(const char *text) { return text != nullptr ? text : ""; }
 
 // What the system tells about a port.
 struct Port {
@@ -90,9 +88,7 @@ std::string latencyText(const std::string &device) {
   return !ms || *ms <= 1 ? "" : "holds bytes back for up to " + std::to_string(*ms) + " ms: echo 1 | sudo tee " + file;
 }
 
-void addLine(std::string &text, const std::string &line) {
-  text += line.empty() ? "" : "    " + line + "\n";
-}
+void addLine(std::string &text, const std::string &line) { text += line.empty() ? "" : "    " + line + "\n"; }
 
 std::string describe(const Port &port) {
   const bool isName = port.device.find(port.description) != std::string::npos;

@@ -47,8 +47,7 @@ void addRecord(CLI::App &app) {
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   source->addRows(subcommand);
   const auto name = std::make_shared<std::string>();
-  subcommand
-      .option("-o,--output", *name, "the recording; an existing file is not overwritten (standard output)")
+  subcommand.option("-o,--output", *name, "the recording; an existing file is not overwritten (standard output)")
       .type("FILE");
   subcommand.footer(
       "The file grows with every frame, and stays valid after Ctrl-C, which may cut the last frame, when the disk "

@@ -20,8 +20,7 @@ namespace tool {
 namespace {
 
 struct Options {
-  explicit Options(Subcommand &subcommand)
-      : source(subcommand, Playback::RealTime, Rows::Sent), range(subcommand) {
+  explicit Options(Subcommand &subcommand) : source(subcommand, Playback::RealTime, Rows::Sent), range(subcommand) {
     source.addRows(subcommand);
   }
 
@@ -131,9 +130,7 @@ void addSend(CLI::App &app) {
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("--port", options->to, "a serial port; without it, a pseudo-terminal (prints its name)")
       .type("DEVICE");
-  subcommand.option("--period", options->periodMs, "the frame period of values, in ms (9)")
-      .between(1, 1000)
-      .type("MS");
+  subcommand.option("--period", options->periodMs, "the frame period of values, in ms (9)").between(1, 1000).type("MS");
   subcommand.footer(
       "Of a live line only frames are sent, and none older than 0.1 s: failsafe frames take their place. "
       "Values: ch1 to ch16 are raw, 0 to 2047, microseconds (1500us), percent (-50%), on (the high end) or off; "

@@ -24,9 +24,7 @@ namespace {
 constexpr size_t ShownMost = 20;       // spans of a kind
 constexpr unsigned long BarMost = 50;  // characters
 
-double seconds(uint64_t us, int64_t zeroUs = 0) {
-  return static_cast<double>(static_cast<int64_t>(us) + zeroUs) / 1e6;
-}
+double seconds(uint64_t us, int64_t zeroUs = 0) { return static_cast<double>(static_cast<int64_t>(us) + zeroUs) / 1e6; }
 
 std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   if (spans.empty()) {
@@ -39,8 +37,10 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int
       line::format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
                    seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
   for (const line::FlagSpan &span : shown) {
-    const std::string what = span.channels != 0 ? "  " + jumpedText(span) : line::format("%10.3f s", seconds(span.us()));
-    text += line::format("%14.3f s to %10.3f s %s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs), what.c_str());
+    const std::string what =
+        span.channels != 0 ? "  " + jumpedText(span) : line::format("%10.3f s", seconds(span.us()));
+    text += line::format("%14.3f s to %10.3f s %s\n", seconds(span.fromUs, zeroUs), seconds(span.toUs, zeroUs),
+                         what.c_str());
   }
   return text;
 }
@@ -67,8 +67,7 @@ std::string json(const char *type, const std::vector<line::FlagSpan> &spans, int
 }
 
 std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
-  std::string text =
-      line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs(), zeroUs),
+  std::string text = line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs(), zeroUs),
                                   seconds(flight.lastUs(), zeroUs));
   for (const line::SpanName &each : line::SpanNames) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
@@ -89,7 +88,8 @@ std::string textOf(const line::FlightLog &flight, int64_t zeroUs) {
 }
 
 bool isOtherSender(sbus::Finding finding) {
-  return (finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel) || finding == sbus::Finding::WrongPackets;
+  return (finding >= sbus::Finding::IBus && finding <= sbus::Finding::IdleLevel) ||
+         finding == sbus::Finding::WrongPackets;
 }
 
 // Returns what `sbus doctor` finds, if nothing else in a summary tells it.
@@ -201,8 +201,7 @@ void run(const SourceOption &source, const Options &options) {
     const std::string page = html(flight.log(), source);
     writeTo(options.output, File::New, [&page](const Put &put) { put(page); });
   } else {
-    write(options.json ? source.json().line() + json(flight, source)
-                       : text(flight.log(), source, finding));
+    write(options.json ? source.json().line() + json(flight, source) : text(flight.log(), source, finding));
     if (!options.json && !input->note().empty()) {
       write(input->note() + '\n');
     }
@@ -220,13 +219,15 @@ void addSummary(CLI::App &app) {
   const Option json =
       subcommand.flag("--json", options->json, "JSON lines: a summary, then the spans and the intervals");
   options->html =
-      subcommand.option("-o,--output", options->output, "write a one-page report to view or print; - is standard output")
+      subcommand
+          .option("-o,--output", options->output, "write a one-page report to view or print; - is standard output")
           .excludes(json)
           .notEmpty()
           .type("FILE.html");
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or more, "
+      "frame with the flag to the next one without; no pulses: CH1 to CH4 are 0 without a flag; no frames: 0.1 s or "
+      "more, "
       "from the first byte, or a capture's beginning, to the last. "
       "Jumps: a channel leaves its course for one frame, farther than a stick can. PC late: bytes came 0.1 s late or "
       "more, from a busy PC or a stalled adapter, so the line's state in that time is unknown.");

@@ -35,9 +35,7 @@ struct Options {
   bool json = false;
 };
 
-uint64_t toUs(double seconds) {
-  return static_cast<uint64_t>(seconds * 1e6);
-}
+uint64_t toUs(double seconds) { return static_cast<uint64_t>(seconds * 1e6); }
 
 const char *nameOf(RecordedEvent::Kind kind) {
   const char *const names[] = {"begin", "continued", "end"};
@@ -45,8 +43,9 @@ const char *nameOf(RecordedEvent::Kind kind) {
 }
 
 std::string text(const RecordedEvent &event, int64_t zeroUs) {
-  return line::format("%12.3f s %-9s ", static_cast<double>(static_cast<int64_t>(event.us) + zeroUs) / 1e6, nameOf(event.kind)) + event.file +
-         (event.summary.empty() ? "" : ": " + event.summary) + '\n';
+  return line::format("%12.3f s %-9s ", static_cast<double>(static_cast<int64_t>(event.us) + zeroUs) / 1e6,
+                      nameOf(event.kind)) +
+         event.file + (event.summary.empty() ? "" : ": " + event.summary) + '\n';
 }
 
 std::string json(const RecordedEvent &event, int64_t zeroUs, std::optional<int64_t> startUs) {
@@ -84,14 +83,13 @@ void run(const Options &options) {
     write(source.json().line());
     flush();
   }
-  FlightRecorder recorder({"watch " + source.name() + ": " + options.when, toUs(options.beforeS), toUs(options.afterS),
-                           toUs(options.longestS)},
-                          files, input->settings(), source.hasTimes(), source.startUs(), source.zeroUs(),
-                          [&](const RecordedEvent &event) {
-                            write(options.json ? json(event, source.zeroUs(), source.startUs())
-                                               : text(event, source.zeroUs()));
-                            flush();
-                          });
+  FlightRecorder recorder(
+      {"watch " + source.name() + ": " + options.when, toUs(options.beforeS), toUs(options.afterS),
+       toUs(options.longestS)},
+      files, input->settings(), source.hasTimes(), source.startUs(), source.zeroUs(), [&](const RecordedEvent &event) {
+        write(options.json ? json(event, source.zeroUs(), source.startUs()) : text(event, source.zeroUs()));
+        flush();
+      });
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   bool isRejected = false;  // the newest stretch
@@ -108,16 +106,15 @@ void run(const Options &options) {
   });
   SilenceNote silence(source.name(), "frames", source.isFile());
   input->endOnFailure();
-  input->run(
-      [&](const line::Character &character) { observer.put(character); },
-      [&](uint64_t nowUs) {
-        observer.idleUntil(input->knownUs());
-        recorder.idleUntil(input->knownUs());
-        if (!input->hasEnded()) {
-          tick(nowUs, UINT64_MAX);
-        }
-        silence.tick(nowUs, observer.counters().frames > 0);
-      });
+  input->run([&](const line::Character &character) { observer.put(character); },
+             [&](uint64_t nowUs) {
+               observer.idleUntil(input->knownUs());
+               recorder.idleUntil(input->knownUs());
+               if (!input->hasEnded()) {
+                 tick(nowUs, UINT64_MAX);
+               }
+               silence.tick(nowUs, observer.counters().frames > 0);
+             });
   isOver = true;
   observer.finish();
   recorder.finish();
@@ -134,10 +131,7 @@ void addWatch(CLI::App &app) {
   Subcommand subcommand(app, "watch", "records what happens before and after each event, like a flight recorder");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("--when", options->when, "the event, such as 'failsafe || ch5>1500'").required().type("CONDITION");
-  subcommand.option("-o,--output", options->folder, "the folder for the recordings")
-      .required()
-      .notEmpty()
-      .type("FILE");
+  subcommand.option("-o,--output", options->folder, "the folder for the recordings").required().notEmpty().type("FILE");
   subcommand.option("--before", options->beforeS, "seconds before an event (2)").between(0, 600).type("S");
   subcommand.option("--after", options->afterS, "seconds after an event (5)").between(0, 3600).type("S");
   subcommand
@@ -145,11 +139,14 @@ void addWatch(CLI::App &app) {
               "the length of a file, in seconds; a longer event goes on in the next one (600)")
       .between(1, 86400)
       .type("S");
-  subcommand.option("--most", options->mostMb, "keep at most MB megabytes, and delete the oldest (1000)").between(0.001, 1e6).type("MB");
+  subcommand.option("--most", options->mostMb, "keep at most MB megabytes, and delete the oldest (1000)")
+      .between(0.001, 1e6)
+      .type("MB");
   subcommand.flag("--json", options->json, "JSON lines: the events");
   subcommand.footer(
       "A condition compares (<, <=, >, >=, =, !=) ch1 to ch32 with 1500, 1500us or 50%, age with a time such as "
-      "50ms, or quality with percent; or it names failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, ch17 or ch18. Join "
+      "50ms, or quality with percent; or it names failsafe, nopulses, lostframe, rejected, jump, ok, lossy, stale, "
+      "ch17 or ch18. Join "
       "with !, && and || (or not, and, or) and (). The files stay valid if the disk fills up or the program is "
       "killed.");
   subcommand.run([options] { run(*options); });

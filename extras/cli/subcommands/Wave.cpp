@@ -25,7 +25,8 @@ void run(const SourceOption &source, const std::string &output) {
 }  // namespace
 
 void addWave(CLI::App &app) {
-  Subcommand subcommand(app, "wave", "writes the wire of a recording or another capture as VCD, for PulseView and similar programs");
+  Subcommand subcommand(app, "wave",
+                        "writes the wire of a recording or another capture as VCD, for PulseView and similar programs");
   const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto output = std::make_shared<std::string>();
   subcommand.option("-o,--output", *output, "a file (standard output)").type("FILE.vcd");

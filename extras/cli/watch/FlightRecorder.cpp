@@ -26,8 +26,7 @@ FlightRecorder::FlightRecorder(const Plan &plan, EventFiles files, const line::L
       _hasTimes(hasTimes),
       _startUs(startUs),
       _zeroUs(zeroUs),
-      _tell(std::move(tell)) {
-}
+      _tell(std::move(tell)) {}
 
 void FlightRecorder::put(const line::Stretch &stretch) {
   const uint64_t firstUs = stretch.characters.front().endUs;
@@ -82,7 +81,8 @@ void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sin
   forget(std::min(nowUs - std::min(nowUs, _plan.beforeUs), sinceUs));
   const uint64_t firstUs = _lately.empty() ? nowUs : _lately.front().front().endUs;
   const uint64_t zeroUs = _startUs ? firstUs - std::min<uint64_t>(firstUs, _settings.characterUs()) : 0;
-  const auto beganUs = _startUs ? std::optional<int64_t>(*_startUs + _zeroUs + static_cast<int64_t>(zeroUs)) : std::nullopt;
+  const auto beganUs =
+      _startUs ? std::optional<int64_t>(*_startUs + _zeroUs + static_cast<int64_t>(zeroUs)) : std::nullopt;
   std::string name;
   try {
     name = _files.next(beganUs);

@@ -47,8 +47,9 @@ class EventFiles {
     }
   }
 
-  // Removes the oldest files, makes the next one, and returns its name: "DIR/sbus-000042-2026-11-24T15-16-18Z.txt", without the
-  // date if `beginUs`, in us since 1970, is unknown. Numbers only grow, so the order is right whatever the clock says.
+  // Removes the oldest files, makes the next one, and returns its name: "DIR/sbus-000042-2026-11-24T15-16-18Z.txt",
+  // without the date if `beginUs`, in us since 1970, is unknown. Numbers only grow, so the order is right whatever the
+  // clock says.
   std::string next(std::optional<int64_t> beginUs) {
     std::map<unsigned long, std::filesystem::directory_entry> files;
     uint64_t bytes = 0;
@@ -109,8 +110,7 @@ class FlightRecorder {
   // `startUs`: time 0 in us since 1970; if it is known, times in each file count from the file's beginning.
   // `zeroUs`: the source's own time at time 0.
   FlightRecorder(const Plan &plan, EventFiles files, const line::LineSettings &settings, bool hasTimes,
-                 std::optional<int64_t> startUs, int64_t zeroUs,
-                 std::function<void(const RecordedEvent &)> tell);
+                 std::optional<int64_t> startUs, int64_t zeroUs, std::function<void(const RecordedEvent &)> tell);
 
   // Takes the next stretch of the line: files begin and end between two of them, so with whole frames.
   void put(const line::Stretch &stretch);

@@ -13,9 +13,7 @@ class Callback {
       : _method(reinterpret_cast<Method>(method)), _object(object), _call(callMethod<T>) {}
 
   // Returns the object or the function that is called, for the report; null for an empty callback.
-  const void *listener() const {
-    return _object != nullptr ? _object : reinterpret_cast<const void *>(_function);
-  }
+  const void *listener() const { return _object != nullptr ? _object : reinterpret_cast<const void *>(_function); }
 
   void call() const {
     if (_function != nullptr) {
@@ -38,10 +36,6 @@ class Callback {
   void (*_call)(const Callback &callback) = nullptr;
 };
 
-inline uint32_t __get_PRIMASK() {
-  return 0;
-}
-inline void __set_PRIMASK(uint32_t) {
-}
-inline void __disable_irq() {
-}
+inline uint32_t __get_PRIMASK() { return 0; }
+inline void __set_PRIMASK(uint32_t) {}
+inline void __disable_irq() {}

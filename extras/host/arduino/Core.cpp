@@ -12,8 +12,8 @@ using host::Board;
 
 namespace {
 
-// Returns the board, after the time to read the clock or poll a port. It must not be 0: otherwise a sketch that waits in
-// a loop would never return.
+// Returns the board, after the time to read the clock or poll a port. It must not be 0: otherwise a sketch that waits
+// in a loop would never return.
 Board &polled() {
   constexpr uint64_t PollUs = 1;
   Board::instance().spend(PollUs);
@@ -29,46 +29,30 @@ void waitForPlace(const host::BoardTransmitter &transmitter) {
 
 }  // namespace
 
-uint32_t millis() {
-  return polled().clock().millis();
-}
+uint32_t millis() { return polled().clock().millis(); }
 
-uint32_t micros() {
-  return polled().clock().micros();
-}
+uint32_t micros() { return polled().clock().micros(); }
 
-void delay(unsigned long ms) {
-  Board::instance().spend(uint64_t{1000} * static_cast<uint32_t>(ms));
-}
+void delay(unsigned long ms) { Board::instance().spend(uint64_t{1000} * static_cast<uint32_t>(ms)); }
 
-void delayMicroseconds(unsigned int us) {
-  Board::instance().spend(us);
-}
+void delayMicroseconds(unsigned int us) { Board::instance().spend(us); }
 
-void yield() {
-  polled();
-}
+void yield() { polled(); }
 
 // The simulated board does not sleep.
 void stm32l0_system_register(stm32l0_system_notify_t *, stm32l0_system_callback_t, void *, uint32_t) {}
 
 void stm32l0_system_unregister(stm32l0_system_notify_t *) {}
 
-void noInterrupts() {
-  Board::instance().enableInterrupts(false);
-}
+void noInterrupts() { Board::instance().enableInterrupts(false); }
 
-void interrupts() {
-  Board::instance().enableInterrupts(true);
-}
+void interrupts() { Board::instance().enableInterrupts(true); }
 
 void pinMode(uint32_t pin, uint32_t mode) {
   Board::instance().pins().setMode(pin, static_cast<host::Pins::Mode>(mode));
 }
 
-void digitalWrite(uint32_t pin, uint32_t value) {
-  Board::instance().pins().write(pin, value != 0);
-}
+void digitalWrite(uint32_t pin, uint32_t value) { Board::instance().pins().write(pin, value != 0); }
 
 int digitalRead(uint32_t pin) {
   return Board::instance().pulsePins().isHigh(pin) || Board::instance().pins().isHigh(pin) ? 1 : 0;
@@ -86,9 +70,7 @@ void analogReadResolution(int bits) {
   }
 }
 
-int analogRead(uint32_t) {
-  return 1 << (analogBits - 1);
-}
+int analogRead(uint32_t) { return 1 << (analogBits - 1); }
 
 void analogWrite(uint32_t pin, uint32_t value) {
   Board::instance().pins().use(host::Pins::Analog, pin, static_cast<int>(value));
@@ -100,8 +82,7 @@ void tone(uint32_t pin, uint32_t frequency, uint32_t) {
   }
 }
 
-void noTone(uint32_t) {
-}
+void noTone(uint32_t) {}
 
 uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout) {
   const bool high = state != 0;
@@ -126,32 +107,21 @@ void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode) {
   Board::instance().pulsePins().onEdge(pin, callback, static_cast<host::PulsePins::Edge>(mode));
 }
 
-void detachInterrupt(uint32_t pin) {
-  Board::instance().pulsePins().onEdge(pin, nullptr, host::PulsePins::Change);
-}
+void detachInterrupt(uint32_t pin) { Board::instance().pulsePins().onEdge(pin, nullptr, host::PulsePins::Change); }
 
 Uart Serial1(1);
 Uart Serial2(2);
 Uart Serial3(3);
 
-Uart::Uart(int number) : _number(number), _uart(&Board::instance().port(number).uart().state()) {
-}
+Uart::Uart(int number) : _number(number), _uart(&Board::instance().port(number).uart().state()) {}
 
-host::BoardPort &Uart::port() const {
-  return Board::instance().port(_number);
-}
+host::BoardPort &Uart::port() const { return Board::instance().port(_number); }
 
-void Uart::begin(unsigned long baud) {
-  begin(baud, SERIAL_8N1);
-}
+void Uart::begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
 
-void Uart::begin(unsigned long baud, uint32_t config) {
-  begin(baud, config, nullptr, 0);
-}
+void Uart::begin(unsigned long baud, uint32_t config) { begin(baud, config, nullptr, 0); }
 
-void Uart::begin(unsigned long baud, uint8_t *buffer, size_t size) {
-  begin(baud, SERIAL_8N1, buffer, size);
-}
+void Uart::begin(unsigned long baud, uint8_t *buffer, size_t size) { begin(baud, SERIAL_8N1, buffer, size); }
 
 void Uart::begin(unsigned long baud, uint32_t config, uint8_t *buffer, size_t size) {
   flush();
@@ -163,29 +133,17 @@ void Uart::end() {
   port().close();
 }
 
-int Uart::available() {
-  return polled().port(_number).uart().available();
-}
+int Uart::available() { return polled().port(_number).uart().available(); }
 
-int Uart::peek() {
-  return polled().port(_number).uart().peek();
-}
+int Uart::peek() { return polled().port(_number).uart().peek(); }
 
-int Uart::read() {
-  return polled().port(_number).uart().read();
-}
+int Uart::read() { return polled().port(_number).uart().read(); }
 
-int Uart::read(uint8_t *buffer, size_t size) {
-  return polled().port(_number).uart().read(buffer, size);
-}
+int Uart::read(uint8_t *buffer, size_t size) { return polled().port(_number).uart().read(buffer, size); }
 
-int Uart::availableForWrite() {
-  return polled().port(_number).transmitter().availableForWrite();
-}
+int Uart::availableForWrite() { return polled().port(_number).transmitter().availableForWrite(); }
 
-size_t Uart::write(uint8_t value) {
-  return write(&value, 1);
-}
+size_t Uart::write(uint8_t value) { return write(&value, 1); }
 
 size_t Uart::write(const uint8_t *buffer, size_t size) {
   Board &board = polled();
@@ -205,9 +163,7 @@ void Uart::flush() {
   }
 }
 
-void Uart::onReceive(void (*callback)()) {
-  onReceive(Callback(callback));
-}
+void Uart::onReceive(void (*callback)()) { onReceive(Callback(callback)); }
 
 void Uart::onReceive(Callback callback) {
   port().onReceive([callback] { callback.call(); }, callback.listener());
@@ -220,9 +176,7 @@ void UsbSerial::begin(unsigned long) {
   Board::instance().input().begin();
 }
 
-void UsbSerial::begin(unsigned long baud, uint32_t) {
-  begin(baud);
-}
+void UsbSerial::begin(unsigned long baud, uint32_t) { begin(baud); }
 
 int UsbSerial::available() {
   Board &board = polled();
@@ -244,10 +198,6 @@ int UsbSerial::read(uint8_t *buffer, size_t size) {
   return board.input().read(board.clock().nowUs(), buffer, size);
 }
 
-size_t UsbSerial::write(uint8_t value) {
-  return write(&value, 1);
-}
+size_t UsbSerial::write(uint8_t value) { return write(&value, 1); }
 
-size_t UsbSerial::write(const uint8_t *buffer, size_t size) {
-  return Board::instance().output().write(buffer, size);
-}
+size_t UsbSerial::write(const uint8_t *buffer, size_t size) { return Board::instance().output().write(buffer, size); }

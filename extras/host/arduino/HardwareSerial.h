@@ -18,17 +18,9 @@ class HardwareSerial : public Stream {
   using Print::write;
   // Without these write(0) could also mean a null pointer (arduino/ArduinoCore-avr,
   // cores/arduino/HardwareSerial.h:130).
-  size_t write(int byte) {
-    return write(static_cast<uint8_t>(byte));
-  }
-  size_t write(unsigned byte) {
-    return write(static_cast<uint8_t>(byte));
-  }
-  size_t write(long byte) {
-    return write(static_cast<uint8_t>(byte));
-  }
-  size_t write(unsigned long byte) {
-    return write(static_cast<uint8_t>(byte));
-  }
+  size_t write(int byte) { return write(static_cast<uint8_t>(byte)); }
+  size_t write(unsigned byte) { return write(static_cast<uint8_t>(byte)); }
+  size_t write(long byte) { return write(static_cast<uint8_t>(byte)); }
+  size_t write(unsigned long byte) { return write(static_cast<uint8_t>(byte)); }
   virtual operator bool() = 0;
 };

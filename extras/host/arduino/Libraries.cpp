@@ -13,9 +13,7 @@ using host::Board;
 EEPROMClass EEPROM;
 static_assert(EEPROMClass::length() == host::Eeprom::Size, "the sketch must see the real size");
 
-uint8_t host::readEeprom(int address) {
-  return Board::instance().eeprom().read(address);
-}
+uint8_t host::readEeprom(int address) { return Board::instance().eeprom().read(address); }
 
 void host::writeEeprom(int address, const uint8_t *bytes, size_t size) {
   Board &board = Board::instance();
@@ -48,9 +46,7 @@ void Servo::writeMicroseconds(int us) {
 }
 
 // Rounds, so that read() returns the value passed to write().
-int Servo::read() {
-  return _max > _min ? ((_us - _min) * Degrees + (_max - _min) / 2) / (_max - _min) : 0;
-}
+int Servo::read() { return _max > _min ? ((_us - _min) * Degrees + (_max - _min) / 2) / (_max - _min) : 0; }
 
 static_assert(PINS_COUNT == 26, "the pins listed here");
 const PinDescription g_APinDescription[PINS_COUNT] = {{0},  {1},  {2},  {3},  {4},  {5},  {6},  {7},  {8},

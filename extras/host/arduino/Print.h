@@ -67,7 +67,5 @@ class Print {
  private:
   size_t printSigned(int32_t number, int base);
   size_t printUnsigned(uint32_t number, int base);
-  size_t endLine(size_t printed) {
-    return printed + println();
-  }
+  size_t endLine(size_t printed) { return printed + println(); }
 };

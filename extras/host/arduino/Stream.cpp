@@ -52,13 +52,9 @@ double Stream::parseNumber(bool point) {
   return negative ? -number : number;
 }
 
-long Stream::parseInt() {
-  return static_cast<long>(parseNumber(false));
-}
+long Stream::parseInt() { return static_cast<long>(parseNumber(false)); }
 
-float Stream::parseFloat() {
-  return static_cast<float>(parseNumber(true));
-}
+float Stream::parseFloat() { return static_cast<float>(parseNumber(true)); }
 
 bool Stream::find(char c) {
   const char text[] = {c, '\0'};

@@ -14,14 +14,11 @@ class UsbSerial : public HardwareSerial {
   int read() override;
   int read(uint8_t *buffer, size_t size) override;
   int availableForWrite() override { return 256; }  // the board's buffer; here it is always read
-  void flush() override {
-  }
+  void flush() override {}
   size_t write(uint8_t byte) override;
   size_t write(const uint8_t *buffer, size_t size) override;
   using HardwareSerial::write;
-  operator bool() override {
-    return true;
-  }
+  operator bool() override { return true; }
 };
 
 extern UsbSerial Serial;

@@ -14,12 +14,9 @@ constexpr size_t DecimalSize = 600;  // of the largest double with 255 decimals;
 
 }  // namespace
 
-String::String(unsigned char number, unsigned char base) : String(static_cast<unsigned long>(number), base) {
-}
-String::String(int number, unsigned char base) : String(static_cast<long>(number), base) {
-}
-String::String(unsigned number, unsigned char base) : String(static_cast<unsigned long>(number), base) {
-}
+String::String(unsigned char number, unsigned char base) : String(static_cast<unsigned long>(number), base) {}
+String::String(int number, unsigned char base) : String(static_cast<long>(number), base) {}
+String::String(unsigned number, unsigned char base) : String(static_cast<unsigned long>(number), base) {}
 
 String::String(long number, unsigned char base) {
   char text[DigitsSize];
@@ -31,17 +28,14 @@ String::String(unsigned long number, unsigned char base) {
   concat(ultoa(number, text, base));
 }
 
-String::String(float number, unsigned char decimals) : String(static_cast<double>(number), decimals) {
-}
+String::String(float number, unsigned char decimals) : String(static_cast<double>(number), decimals) {}
 
 String::String(double number, unsigned char decimals) {
   char text[DecimalSize];
   concat(dtostrf(number, static_cast<signed char>(decimals + 2), decimals, text));
 }
 
-String::~String() {
-  free(_text);
-}
+String::~String() { free(_text); }
 
 String &String::swap(String &other) {
   char *const text = _text;
@@ -66,9 +60,7 @@ bool String::reserve(unsigned size) {
   return true;
 }
 
-bool String::concat(const char *text) {
-  return text != nullptr && concat(text, static_cast<unsigned>(strlen(text)));
-}
+bool String::concat(const char *text) { return text != nullptr && concat(text, static_cast<unsigned>(strlen(text))); }
 
 bool String::concat(const char *text, unsigned length) {
   if (text == nullptr) {
@@ -209,6 +201,4 @@ long String::toInt() const {
   return number < INT32_MIN ? INT32_MIN : number > INT32_MAX ? INT32_MAX : number;
 }
 
-double String::toDouble() const {
-  return _text == nullptr ? 0 : strtod(_text, nullptr);
-}
+double String::toDouble() const { return _text == nullptr ? 0 : strtod(_text, nullptr); }

@@ -139,33 +139,15 @@ class StringSumHelper : public String {
 inline StringSumHelper operator+(const StringSumHelper &left, const String &right) {
   return left.plus<const String &>(right);
 }
-inline StringSumHelper operator+(const StringSumHelper &left, const char *right) {
-  return left.plus(right);
-}
+inline StringSumHelper operator+(const StringSumHelper &left, const char *right) { return left.plus(right); }
 inline StringSumHelper operator+(const StringSumHelper &left, const __FlashStringHelper *right) {
   return left.plus(right);
 }
-inline StringSumHelper operator+(const StringSumHelper &left, char right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, unsigned char right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, int right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, unsigned right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, long right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, unsigned long right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, float right) {
-  return left.plus(right);
-}
-inline StringSumHelper operator+(const StringSumHelper &left, double right) {
-  return left.plus(right);
-}
+inline StringSumHelper operator+(const StringSumHelper &left, char right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, unsigned char right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, int right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, unsigned right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, long right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, unsigned long right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, float right) { return left.plus(right); }
+inline StringSumHelper operator+(const StringSumHelper &left, double right) { return left.plus(right); }

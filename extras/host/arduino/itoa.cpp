@@ -35,13 +35,9 @@ char *ltoa(long number, char *text, int base) {
   return text;
 }
 
-char *itoa(int number, char *text, int base) {
-  return ltoa(number, text, base);
-}
+char *itoa(int number, char *text, int base) { return ltoa(number, text, base); }
 
-char *utoa(unsigned number, char *text, int base) {
-  return ultoa(number, text, base);
-}
+char *utoa(unsigned number, char *text, int base) { return ultoa(number, text, base); }
 
 char *dtostrf(double value, signed char width, unsigned char precision, char *text) {
   sprintf(text, "%*.*f", width, precision, value);

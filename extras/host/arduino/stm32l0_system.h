@@ -15,9 +15,11 @@ typedef struct _stm32l0_system_notify_t {
 
 #if defined(STM32L0_CORE_0_0)  // releases up to 0.0.10
 #define STM32L0_SYSTEM_EVENT_SLEEP 0x00000002
-void stm32l0_system_notify(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context, uint32_t events);
+void stm32l0_system_notify(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context,
+                           uint32_t events);
 #else
 #define STM32L0_SYSTEM_NOTIFY_SLEEP 0x00000002
-void stm32l0_system_register(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context, uint32_t mask);
+void stm32l0_system_register(stm32l0_system_notify_t *notify, stm32l0_system_callback_t callback, void *context,
+                             uint32_t mask);
 void stm32l0_system_unregister(stm32l0_system_notify_t *notify);
 #endif

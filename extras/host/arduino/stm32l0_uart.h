@@ -1,5 +1,5 @@
-// The option bits of a UART. The names are the board's, the values are our own. And what the library reads of the core's
-// state of a UART (GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Include/stm32l0_uart.h:125).
+// The option bits of a UART. The names are the board's, the values are our own. And what the library reads of the
+// core's state of a UART (GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Include/stm32l0_uart.h:125).
 #pragma once
 
 #include <stdint.h>

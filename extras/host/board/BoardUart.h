@@ -44,8 +44,9 @@ class BoardUart {
   // Returns when the line will have been idle for a character's time, if no character arrives.
   uint64_t idleFromUs() const { return _lastEndUs + _characterUs; }
 
-  // Interrupts are masked from now on, or no longer: the DMA goes on, and what should have been handed over meanwhile is
-  // at the end, with all that has come by then (stm32l0_uart_dma_receive() takes the DMA's count, stm32l0_uart.c:99).
+  // Interrupts are masked from now on, or no longer: the DMA goes on, and what should have been handed over meanwhile
+  // is at the end, with all that has come by then (stm32l0_uart_dma_receive() takes the DMA's count,
+  // stm32l0_uart.c:99).
   void mask(bool isMasked);
 
   // These are the sketch's calls. A closed port has nothing to read: then read() and peek() return -1.
@@ -58,8 +59,8 @@ class BoardUart {
   bool takeReceiveEvent();
 
   // Returns the core's state of the port. rx_index goes on with each byte handed over, and a silence does not change it
-  // (stm32l0_uart.c:99): so it lies between two halves of the ring only if the line was idle after the newest byte, or the
-  // next character had an error.
+  // (stm32l0_uart.c:99): so it lies between two halves of the ring only if the line was idle after the newest byte, or
+  // the next character had an error.
   stm32l0_uart_t &state() { return _state; }
 
   // Return the number of bytes dropped since the program's start.

@@ -13,18 +13,12 @@ void PulsePins::onEdge(uint32_t pin, void (*callback)(), Edge edge) {
   }
 }
 
-bool PulsePins::isHigh(uint32_t pin) const {
-  return pin - First < Count && _isHigh[pin - First];
-}
+bool PulsePins::isHigh(uint32_t pin) const { return pin - First < Count && _isHigh[pin - First]; }
 
-void PulsePins::connect() {
-  plan();
-}
+void PulsePins::connect() { plan(); }
 
 // Returns the time of the next edge in the simulated flight.
-uint32_t PulsePins::flightMs() const {
-  return static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
-}
+uint32_t PulsePins::flightMs() const { return static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs); }
 
 void PulsePins::plan() {
   uint16_t channels[sbus::ChannelCount] = {};

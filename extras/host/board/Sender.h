@@ -20,7 +20,6 @@ struct Transmission {
 
 class Sender {
  public:
-
   // Records everything sent in this file.
   void record(std::unique_ptr<line::RecordingFile> file);
 

@@ -19,9 +19,7 @@ int SketchInput::available(uint64_t nowUs) {
   return static_cast<int>(_count);
 }
 
-int SketchInput::peek(uint64_t nowUs) {
-  return available(nowUs) > 0 ? _buffer[_first] : -1;
-}
+int SketchInput::peek(uint64_t nowUs) { return available(nowUs) > 0 ? _buffer[_first] : -1; }
 
 int SketchInput::read(uint64_t nowUs) {
   uint8_t byte;

@@ -19,9 +19,7 @@ std::string checkSeconds(const std::string &text) {
   return *end == '\0' && seconds >= 0.001 && seconds <= Largest ? "" : "a number from 0.001 to 31622400 is expected";
 }
 
-bool isPort(char c) {
-  return c >= '1' && c <= '3';
-}
+bool isPort(char c) { return c >= '1' && c <= '3'; }
 
 std::string checkWire(const std::string &text) {
   return text.size() == 3 && isPort(text[0]) && text[1] == '-' && isPort(text[2])
@@ -35,9 +33,7 @@ std::string checkSent(const std::string &text) {
              : "\"" + text + "\": a port and a file's name such as 2:sent.txt are expected";
 }
 
-int portOf(char c) {
-  return c - '0';
-}
+int portOf(char c) { return c - '0'; }
 
 // A pin has one sender, and a file records one port.
 void addWires(const std::vector<std::string> &texts, Options &options) {

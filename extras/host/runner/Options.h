@@ -27,8 +27,8 @@ struct SentOption {
 
 struct Options {
   line::Source source;
-  std::string port;  // the source's name if it is a port; otherwise empty
-  int on = 1;        // 0: no line, since a wire replaces it
+  std::string port;                    // the source's name if it is a port; otherwise empty
+  int on = 1;                          // 0: no line, since a wire replaces it
   std::optional<line::Source> second;  // of another line, which is attached to Serial2
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;

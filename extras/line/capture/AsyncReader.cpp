@@ -30,9 +30,14 @@ AsyncReader::Columns AsyncReader::columnsOf(std::string_view title) {
   const struct {
     std::string_view name;
     size_t &column;
-  } rows[] = {{"name", columns.name},     {"type", columns.type},           {"start_time", columns.time.column},
-              {"data", columns.value},    {"value", columns.value},
-              {"error", columns.error},   {"parity error", columns.parity}, {"framing error", columns.framing}};
+  } rows[] = {{"name", columns.name},
+              {"type", columns.type},
+              {"start_time", columns.time.column},
+              {"data", columns.value},
+              {"value", columns.value},
+              {"error", columns.error},
+              {"parity error", columns.parity},
+              {"framing error", columns.framing}};
   for (size_t i = 0; i < fields.size(); i++) {
     for (const auto &row : rows) {
       if (lower(fields[i]) == row.name) {

@@ -1,7 +1,7 @@
-// Characters decoded by Saleae's Async Serial analyser, or by DSView's UART decoder. Logic 1 exports "Time [s],Value,Parity Error,Framing Error"
-// (saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103), Logic 2 a table with a row for each character
-// (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader turns them back
-// into the levels of a wire.
+// Characters decoded by Saleae's Async Serial analyser, or by DSView's UART decoder. Logic 1 exports "Time
+// [s],Value,Parity Error,Framing Error" (saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103), Logic 2 a table
+// with a row for each character (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to
+// 256). The reader turns them back into the levels of a wire.
 #pragma once
 
 #include "line/capture/Capture.h"

@@ -13,15 +13,12 @@ namespace {
 constexpr size_t BlockSize = size_t{1} << 20;
 
 // Returns true if the first characters of a capture are enough to recognise its format.
-bool isHead(std::string_view text) {
-  return trimmed(text).substr(0, 1) == "$" || text.size() >= CaptureHeadMax;
-}
+bool isHead(std::string_view text) { return trimmed(text).substr(0, 1) == "$" || text.size() >= CaptureHeadMax; }
 
 }  // namespace
 
 CaptureText::CaptureText(std::string name, const Overrides &overrides, WireDecoder &decoder)
-    : _name(std::move(name)), _overrides(overrides), _decoder(decoder), _block(BlockSize) {
-}
+    : _name(std::move(name)), _overrides(overrides), _decoder(decoder), _block(BlockSize) {}
 
 bool CaptureText::put(std::string_view bytes) {
   while (!bytes.empty() && _error.empty() && _rejection.empty()) {

@@ -87,9 +87,7 @@ bool areTitles(const Fields &fields) {
          });
 }
 
-bool isTime(std::string_view title) {
-  return hasWord(title, {"time"}) || unitIn(title) > 0;
-}
+bool isTime(std::string_view title) { return hasWord(title, {"time"}) || unitIn(title) > 0; }
 
 // The lines before the rows.
 struct Header {
@@ -207,7 +205,8 @@ char separatorOf(std::string_view head) {
   while (!head.empty()) {
     const std::string_view line = takeLine(head);
     std::string_view words = line;
-    for (std::string_view word = takeWord(words); !word.empty() && areExponents && !head.empty(); word = takeWord(words)) {
+    for (std::string_view word = takeWord(words); !word.empty() && areExponents && !head.empty();
+         word = takeWord(words)) {
       areExponents = isNumber(word) && word.find('e') != word.npos;
     }
     for (size_t i = 0; i < Separators.size(); i++) {

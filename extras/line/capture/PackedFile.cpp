@@ -30,9 +30,7 @@ constexpr std::string_view Xz(
 constexpr std::string_view Zip("PK\x03\x04", 4);
 constexpr std::string_view EmptyZip("PK\x05\x06", 4);
 
-bool begins(std::string_view text, std::string_view with) {
-  return text.substr(0, with.size()) == with;
-}
+bool begins(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
 // Reads `size` bytes, or up to the end of the file.
 std::string readSome(int file, size_t size) {
@@ -176,9 +174,11 @@ bool PackedFile::works(int status) {
   if (failed) {
     const char *why = archive_error_string(_archive.get());
     const int error = archive_errno(_archive.get());
-    _failure = std::string("cannot be read to its end (") + (error == EIO         ? std::strerror(error)
-                                                             : why == nullptr ? "no reason given"
-                                                                              : why) + ")";
+    _failure = std::string("cannot be read to its end (") +
+               (error == EIO     ? std::strerror(error)
+                : why == nullptr ? "no reason given"
+                                 : why) +
+               ")";
   }
   return !failed && status != ARCHIVE_EOF;
 }
@@ -191,9 +191,7 @@ bool PackedFile::next() {
   return !_atEnd;
 }
 
-bool PackedFile::isSession() {
-  return _isZip && find("metadata");
-}
+bool PackedFile::isSession() { return _isZip && find("metadata"); }
 
 bool PackedFile::find(const std::string &entry) {
   while (!_atEnd && _entry != entry) {

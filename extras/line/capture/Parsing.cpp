@@ -93,10 +93,12 @@ double periodOf(std::string_view rate) {
   if (!takeNumber(at, end, number) || number <= 0) {
     return 0;
   }
-  constexpr std::pair<std::string_view, double> Units[] = {
-      {"", 1}, {"hz", 1}, {"khz", 1e3}, {"mhz", 1e6}, {"ghz", 1e9}, {"sa/s", 1}, {"ksa/s", 1e3}, {"msa/s", 1e6}, {"gsa/s", 1e9}};
+  constexpr std::pair<std::string_view, double> Units[] = {{"", 1},        {"hz", 1},      {"khz", 1e3},
+                                                           {"mhz", 1e6},   {"ghz", 1e9},   {"sa/s", 1},
+                                                           {"ksa/s", 1e3}, {"msa/s", 1e6}, {"gsa/s", 1e9}};
   const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
-  const auto *const known = std::find_if(std::begin(Units), std::end(Units), [&unit](const auto &each) { return each.first == unit; });
+  const auto *const known =
+      std::find_if(std::begin(Units), std::end(Units), [&unit](const auto &each) { return each.first == unit; });
   return known == std::end(Units) ? 0 : 1e9 / (number * known->second);
 }
 

@@ -9,14 +9,10 @@
 
 namespace line {
 
-constexpr bool isAscii(char c) {
-  return static_cast<unsigned char>(c) < 0x80;
-}
+constexpr bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
 // Returns the text without the blanks and quotation marks around it.
-inline std::string_view trimmed(std::string_view text) {
-  return withoutBlanks(text, '"');
-}
+inline std::string_view trimmed(std::string_view text) { return withoutBlanks(text, '"'); }
 
 // Takes a decimal number ("-1.25e-03") off the front. Returns false without one. `mark` may be the decimal point.
 bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');

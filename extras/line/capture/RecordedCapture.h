@@ -70,7 +70,8 @@ class RecordedCapture {
       return end.error + "; sbus decode -o FILE keeps the part before it";
     }
     if (recording.characters.empty()) {
-      return name + ": " + (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));
+      return name + ": " +
+             (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));
     }
     recording.beginUs = _times.us(_wire.beginNs());
     recording.endUs = _times.us(_wire.captureEndNs());

@@ -38,9 +38,7 @@ class VcdWriter {
   }
 
   // Ends the text: the line stays idle for a character's time.
-  std::string finish() const {
-    return _begun ? "#" + std::to_string(_endUs + _settings.characterUs()) + "\n" : "";
-  }
+  std::string finish() const { return _begun ? "#" + std::to_string(_endUs + _settings.characterUs()) + "\n" : ""; }
 
  private:
   const LineSettings _settings;

@@ -61,7 +61,8 @@ class WireDecoder : public LevelSink {
   // Returns the other signals that carry S.Bus.
   const std::vector<std::string> &others() const { return _others; }
 
-  // Returns from when on the signal is decoded, if it had more edges before its first frame than are kept; otherwise "".
+  // Returns from when on the signal is decoded, if it had more edges before its first frame than are kept; otherwise
+  // "".
   std::string note() const;
 
   // Returns, after finish(), why no signal was found. `periodNs`: the time between two samples; 0 if unknown.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double ShortestBitNs = 5000;
 constexpr double BaudTolerance = 0.03;  // of the receiver's and the analyser's clocks together
-constexpr int LongestPulse = 10;  // bits between two edges of a character: start bit, 00 and parity bit
+constexpr int LongestPulse = 10;        // bits between two edges of a character: start bit, 00 and parity bit
 
 // Returns the number of bits in a pulse; 0 if it is not a whole number.
 int bitsOf(double pulseNs, double bitNs) {
@@ -136,7 +136,8 @@ std::string otherProtocol(const std::vector<Level> &levels) {
       const LineSettings settings = {baud, polarity, {8, Parity::None, 1}};
       const sbus::Finding found = judge(levels, settings, settings.bitNs()).protocol;
       if (found != sbus::Finding::NoSignal) {
-        const std::string why = "is n" + std::string(sbus::text(found)).substr(1) + " " + std::string(sbus::remedy(found));
+        const std::string why =
+            "is n" + std::string(sbus::text(found)).substr(1) + " " + std::string(sbus::remedy(found));
         return why.substr(0, why.size() - 1);  // the caller ends the sentence
       }
     }
@@ -183,13 +184,9 @@ FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides)
   return findWire(levels, overrides, Format());
 }
 
-bool hasPulses(const std::vector<Level> &levels) {
-  return !pulses(levels).empty();
-}
+bool hasPulses(const std::vector<Level> &levels) { return !pulses(levels).empty(); }
 
-bool hasBits(const std::vector<Level> &levels) {
-  return isOneBitLong(shortest(pulses(levels)));
-}
+bool hasBits(const std::vector<Level> &levels) { return isOneBitLong(shortest(pulses(levels))); }
 
 std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs) {
   const std::vector<int64_t> lengths = pulses(levels);

@@ -24,8 +24,8 @@ struct FoundWire {
   double bitNs = 0;       // as measured
   unsigned good = 0;      // characters of the sample with correct parity and stop bit
   unsigned bad = 0;
-  unsigned long frames = 0;  // in the sample; without any the wire does not carry S.Bus
-  unsigned channels = 16;    // of the frames: 16, 24 or 32
+  unsigned long frames = 0;                          // in the sample; without any the wire does not carry S.Bus
+  unsigned channels = 16;                            // of the frames: 16, 24 or 32
   sbus::Finding protocol = sbus::Finding::NoSignal;  // Observer::otherProtocol()
 
   // Returns true if most characters of the sample have correct parity and stop bits, which may also happen on other

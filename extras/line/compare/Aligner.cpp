@@ -186,9 +186,8 @@ bool Aligner::findDelay(bool isEnd) {
   }
   _tryUs = knownUs + TryEachUs;
   const auto waitsFor = [this, knownUs](int64_t us) {
-    return std::all_of(_sides.begin(), _sides.end(), [=](const Side &side) {
-      return !side.frames.empty() && side.frames.front().us < knownUs - us;
-    });
+    return std::all_of(_sides.begin(), _sides.end(),
+                       [=](const Side &side) { return !side.frames.empty() && side.frames.front().us < knownUs - us; });
   };
   const bool isLast = isEnd || waitsFor(TryMostUs);
   const DelaySearch::Result result = _changes.search({_sides[0].knownUs, _sides[1].knownUs});

@@ -1,5 +1,5 @@
-// Matches the frames of two sources by their contents. It keeps a few seconds; while all frames are alike, ten minutes at
-// most.
+// Matches the frames of two sources by their contents. It keeps a few seconds; while all frames are alike, ten minutes
+// at most.
 #pragma once
 
 #include <algorithm>

@@ -10,9 +10,7 @@ namespace line {
 
 namespace {
 
-bool isFlagged(const Values &values) {
-  return values.lostFrame || values.failsafe;
-}
+bool isFlagged(const Values &values) { return values.lostFrame || values.failsafe; }
 
 }  // namespace
 
@@ -177,7 +175,8 @@ std::string Comparison::scales() const {
     const int low[] = {a.least[i], b.least[i]}, high[] = {a.most[i], b.most[i]};
     if (high[0] - low[0] >= Moved && high[1] - low[1] >= Moved &&
         std::max(std::abs(low[0] - low[1]), std::abs(high[0] - high[1])) > Differ) {
-      return format("CH%zu goes from %d to %d in A, from %d to %d in B: their scales differ.", i + 1, low[0], high[0], low[1], high[1]);
+      return format("CH%zu goes from %d to %d in A, from %d to %d in B: their scales differ.", i + 1, low[0], high[0],
+                    low[1], high[1]);
     }
   }
   return "";

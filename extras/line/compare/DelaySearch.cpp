@@ -8,7 +8,7 @@ namespace line {
 
 namespace {
 
-constexpr int64_t WidthUs = 20000;   // by which a late port moves an event
+constexpr int64_t WidthUs = 20000;    // by which a late port moves an event
 constexpr size_t VotesMost = 100000;  // those of a resting stick, which has a value again and again, may be millions
 
 struct Peak {

@@ -80,8 +80,8 @@ bool ByteText::takeOffset(std::string_view &text, uint64_t &offset) const {
   const size_t colon = text.substr(digits, 1) == "h" ? digits + 1 : digits;
   const bool hasColon = text.substr(std::min(text.size(), colon), 1) == ":";
   const std::string_view behind = text.substr(std::min(text.size(), hasColon ? colon + 1 : digits));
-  const bool is = digits >= 4 && parseWhole(text.substr(0, digits), offset, _offsetBase) &&
-                  (behind.empty() || isBlank(behind[0]));
+  const bool is =
+      digits >= 4 && parseWhole(text.substr(0, digits), offset, _offsetBase) && (behind.empty() || isBlank(behind[0]));
   text = is ? withoutBlanks(behind) : text;
   return is;
 }

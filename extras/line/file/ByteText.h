@@ -13,8 +13,8 @@ namespace line {
 
 class ByteText {
  public:
-  // Finds out from a text's first lines how it is written. `isWhole`: they are all of it. Words around lines of bytes are
-  // left out: people post them, and terminals write them.
+  // Finds out from a text's first lines how it is written. `isWhole`: they are all of it. Words around lines of bytes
+  // are left out: people post them, and terminals write them.
   ByteText(std::string_view head, bool isWhole);
 
   // Rejects lines with words, if the first one with bytes has numbers only.
@@ -54,7 +54,7 @@ class ByteText {
   size_t _width = 0;         // of a dump's line up to the text beside the bytes
   bool _areSwapped = false;  // a word's lowest byte comes first in the file, and last in the text
   bool _hasWords = false;
-  bool _hasMarks = false;    // 0x
+  bool _hasMarks = false;  // 0x
   bool _hasStrings = false;
   bool _isList = false;
   bool _isBare = false;  // the first line with bytes has numbers only

@@ -40,7 +40,10 @@ bool BytesReader::Found::areLine() const {
 }
 
 BytesReader::BytesReader(std::string_view head, bool isText, const LineSettings &settings)
-    : _isText(isText), _characterUs(settings.characterUs()), _text(isText ? head : std::string_view(), head.size() < FileHeadMax), _isLong(head.size() >= FileHeadMax) {
+    : _isText(isText),
+      _characterUs(settings.characterUs()),
+      _text(isText ? head : std::string_view(), head.size() < FileHeadMax),
+      _isLong(head.size() >= FileHeadMax) {
   examine(head);
   if (_text.hasWords()) {  // with each word's bytes in the other order, more of them may be in frames
     const auto asPrinted = std::pair(_found, _filled);
@@ -100,14 +103,16 @@ BytesReader::Found BytesReader::framesOf(const TextBytes &bytes, FilledFrames fi
 std::string BytesReader::why() const {
   const char *const expected = "bytes of a line are expected, mostly frames, or a recording or a capture";
   return std::string("is no line of S.Bus: ") +
-         (_found.frames == 0 ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
-                                      : "only " + std::to_string(_found.taken) + " of its first " + std::to_string(_found.bytes) +
-                                            (_isText ? " numbers" : " bytes") + " look like frames, which happens by chance") +
+         (_found.frames == 0
+              ? "its first " + std::to_string(_found.bytes) + " bytes have no frame"
+              : "only " + std::to_string(_found.taken) + " of its first " + std::to_string(_found.bytes) +
+                    (_isText ? " numbers" : " bytes") + " look like frames, which happens by chance") +
          "; " + expected;
 }
 
 std::string BytesReader::note() const {
-  return std::string(_text.isDecimal() ? "bytes in decimal, " : "bytes ") + "without times: times are not known, frames are assumed to be " +
+  return std::string(_text.isDecimal() ? "bytes in decimal, " : "bytes ") +
+         "without times: times are not known, frames are assumed to be " +
          (_filled.any() ? "between other bytes" : "back to back");
 }
 

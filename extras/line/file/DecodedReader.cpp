@@ -17,7 +17,8 @@ bool DecodedReader::reads(std::string_view text) {
     std::string_view line = takeLine(text);
     const bool isFound = line.find(" carries S.Bus") != line.npos || line.find(" but no frame of S.Bus") != line.npos;
     const std::string_view first = takeWord(line), second = takeWord(line), third = takeWord(line);
-    reads = (first == "signal" && isFound) || (first == "time" && second == "ms" && (third == "CH1" || third == "byte"));
+    reads =
+        (first == "signal" && isFound) || (first == "time" && second == "ms" && (third == "CH1" || third == "byte"));
   }
   return reads;
 }

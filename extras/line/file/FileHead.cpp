@@ -20,9 +20,7 @@ namespace {
 
 constexpr std::string_view RecordedBy = "# sbus ";  // the beginning of a recording made by sbus
 
-bool isControl(char c) {
-  return c >= '\0' && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\x1b';
-}
+bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\x1b'; }
 
 // Returns true for bytes that are no text: each frame of S.Bus has its header, 0F, and zeros. NULs alone are what a
 // file system leaves of a recording after a power cut.
@@ -94,8 +92,8 @@ FileKind kindOfText(std::string_view text) {
   }
   const ByteText bytes(text, text.size() < FileHeadMax);
   const bool areRows = isCsvText(text.substr(0, RecordingBeginning));
-  if (bytes.isBytes() && (areRows ? BytesReader(text, true, LineSettings()).hasFrames()
-                                  : bytes.isList() || bytes.hasOffsets())) {
+  if (bytes.isBytes() &&
+      (areRows ? BytesReader(text, true, LineSettings()).hasFrames() : bytes.isList() || bytes.hasOffsets())) {
     return FileKind::Text;
   }
   if (areRows) {
@@ -111,12 +109,12 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
   takeWord(words);
   const bool isColumn = takeWord(words).empty() && !BytesReader(begin, true, LineSettings()).hasFrames();
   const bool areBytes = kind == FileKind::Bytes || (kind == FileKind::Text && !isColumn);
-  const char *const what = isOne                     ? "a recording of characters"
-                           : areBytes                ? "bytes"
-                           : kind == FileKind::Json  ? "JSON lines"
-                           : kind == FileKind::Table ? "a table of frames"
+  const char *const what = isOne                       ? "a recording of characters"
+                           : areBytes                  ? "bytes"
+                           : kind == FileKind::Json    ? "JSON lines"
+                           : kind == FileKind::Table   ? "a table of frames"
                            : kind == FileKind::Decoded ? "what sbus decode printed"
-                                                     : nullptr;
+                                                       : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
                                ", not a capture of the wire: sbus hex shows it, sbus wave makes a capture of it";
@@ -139,14 +137,18 @@ std::string exportOf(std::string_view begin, const std::string &name) {
       {"BZh", "", "", Packed},
       {"\x28\xB5\x2F\xFD", "", "", Packed},  // zstd
       {"7z\xBC\xAF", "", "", Packed},
-      {"\xFD" "7zXZ", "", "", Packed},  // the command has unpacked it
+      {"\xFD"
+       "7zXZ",
+       "", "", Packed},  // the command has unpacked it
       {"Rar!", "", "", Packed},
       {"\x89PNG", "", "", Other},
       {"\xC2\x89PNG", "", "", Other},
       {"\xFF\xD8\xFF", "", "", Other},
       {"GIF8", "", "", Other},
       {"%PDF-", "", "", Other},
-      {"\x7F" "ELF", "", "", Other},
+      {"\x7F"
+       "ELF",
+       "", "", Other},
   };
   const std::string small = lower(name);
   for (const auto &row : rows) {

@@ -45,7 +45,8 @@ std::string whyNoCapture(FileKind kind, std::string_view begin);
 // Returns the head of a text of a known kind.
 FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud = 0);
 
-// Returns the reader for a text or for bytes; nullptr for a capture, and if it is wrong. `isWhole`: see RecordingReader.
+// Returns the reader for a text or for bytes; nullptr for a capture, and if it is wrong. `isWhole`: see
+// RecordingReader.
 std::unique_ptr<LineReader> makeReader(const FileHead &head, bool isWhole = false);
 
 // Returns the kind of a text that can be read while it is being written, recognised by its beginning: JSON lines, a

@@ -41,7 +41,8 @@ FilledFrames::FilledFrames(const TextBytes &head) {
   _most = all == 0 && isFrameAt(head, 0) ? MostBetween : all > 0 ? std::max<size_t>(1, most) : 0;
 }
 
-void FilledFrames::put(const TextBytes &bytes, uint32_t characterUs, Character &last, std::deque<Character> &characters) {
+void FilledFrames::put(const TextBytes &bytes, uint32_t characterUs, Character &last,
+                       std::deque<Character> &characters) {
   _waiting.insert(_waiting.end(), bytes.begin(), bytes.end());
   cut(false, characterUs, last, characters);
 }
@@ -59,7 +60,9 @@ size_t FilledFrames::frameAt(size_t at, bool isEnd) const {
   const size_t between = std::min(next, _waiting.size()) - end;
   const bool isProved = next == SIZE_MAX ? isEnd && between <= _most : isFrameAt(_waiting, next) && isBetween(between);
   const size_t tail = sbus::LineVariants[sbus::variantOfEnd(_waiting[end - 1].value)].tailSize;
-  return isProved || (_since >= 0 && isBetween(static_cast<size_t>(_since))) ? sbus::FrameSize + (between < tail ? 0 : tail) : 0;
+  return isProved || (_since >= 0 && isBetween(static_cast<size_t>(_since)))
+             ? sbus::FrameSize + (between < tail ? 0 : tail)
+             : 0;
 }
 
 void FilledFrames::cut(bool isEnd, uint32_t characterUs, Character &last, std::deque<Character> &characters) {

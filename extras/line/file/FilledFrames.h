@@ -23,8 +23,8 @@ class FilledFrames {
   // Returns true if something does.
   bool any() const { return _most > 0; }
 
-  // Takes the next bytes, and appends their characters: back to back, after `last`, with a silence before and after each
-  // frame that is found. Some wait for the next bytes.
+  // Takes the next bytes, and appends their characters: back to back, after `last`, with a silence before and after
+  // each frame that is found. Some wait for the next bytes.
   void put(const TextBytes &bytes, uint32_t characterUs, Character &last, std::deque<Character> &characters);
 
   // Takes the end.

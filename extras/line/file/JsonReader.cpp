@@ -133,8 +133,7 @@ std::string slotOf(const Object &object, std::vector<Character> &characters) {
       data->size() != 2 || !isWithin((*data)[0], 255) || !isWithin((*data)[1], 255)) {
     return "a slot has slot, 0 to 31, and data, two numbers from 0 to 255";
   }
-  characters =
-      charactersOf({sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()});
+  characters = charactersOf({sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()});
   return {};
 }
 
@@ -159,9 +158,7 @@ void takeLineObject(const Object &object, JsonHead &head) {
   }
 }
 
-bool isLineType(const std::string &type) {
-  return type == "frame" || type == "no_frame" || type == "slot";
-}
+bool isLineType(const std::string &type) { return type == "frame" || type == "no_frame" || type == "slot"; }
 
 }  // namespace
 

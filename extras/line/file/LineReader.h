@@ -88,8 +88,8 @@ class FrameReader : public LineReader {
     constexpr uint64_t OverlapMostUs = 10000000;  // more than this is another line's time
     const uint64_t endUs = endOf(us, came.size() * _characterUs);
     if (_any && endUs + OverlapMostUs < _lastUs) {
-      return "its time, " + std::to_string(endUs) + " us, is not after the previous one, " +
-             std::to_string(_lastUs) + " us";
+      return "its time, " + std::to_string(endUs) + " us, is not after the previous one, " + std::to_string(_lastUs) +
+             " us";
     }
     placed(endUs, appendLate(came, endUs, _lastUs, _characterUs, lateUs, characters));
     return {};

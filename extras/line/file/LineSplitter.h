@@ -44,7 +44,8 @@ class LineSplitter {
 
   // Returns why the last line taken is none, though its text may be good; usually empty.
   std::string wrong() const {
-    return _isTooLong ? "the line is longer than " + std::to_string(TextLineMax) + " characters: line ends are expected" : "";
+    return _isTooLong ? "the line is longer than " + std::to_string(TextLineMax) + " characters: line ends are expected"
+                      : "";
   }
 
   // Returns the number of the last line taken, counted from 1.

@@ -61,11 +61,13 @@ std::string whatText(std::string_view begin) {
   const std::string_view text = withoutBlanks(begin);
   const bool isSigrok = text.substr(0, 10) == "libsigrok " || text.substr(0, 5) == "META ";
   const bool isOtherDump = areDigits(text) || (isDump(text) && !ByteText(text, true).isBytes());
-  return isSigrok ? "is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data prints a decoder's bytes"
+  return isSigrok ? "is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data "
+                    "prints a decoder's bytes"
          : areBits(text)   ? "is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
          : isCandump(text) ? "is candump's log: log2long < FILE prints bytes that are read"
-         : isOtherDump     ? "is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v -t x1 prints one that is read"
-                           : "";
+         : isOtherDump ? "is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v "
+                         "-t x1 prints one that is read"
+                       : "";
 }
 
 }  // namespace line

@@ -16,13 +16,9 @@ constexpr uint64_t FrameUsMost = 50000;
 constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18, in a table that ends there
 
 // Returns true for an empty line or a comment.
-bool isNothing(std::string_view text) {
-  return withoutBlanks(text).empty() || text.front() == '#';
-}
+bool isNothing(std::string_view text) { return withoutBlanks(text).empty() || text.front() == '#'; }
 
-bool isFlag(double value) {
-  return value == 0 || value == 1;
-}
+bool isFlag(double value) { return value == 0 || value == 1; }
 
 }  // namespace
 
@@ -214,7 +210,8 @@ FrameTable frameTable(std::string_view head) {
     if (!rows.isRow()) {
       continue;
     }
-    if (!rows.isWhole() || (count > 0 && lastUs && rows.row().us && *rows.row().us > *lastUs + static_cast<int64_t>(FrameUsMost))) {
+    if (!rows.isWhole() ||
+        (count > 0 && lastUs && rows.row().us && *rows.row().us > *lastUs + static_cast<int64_t>(FrameUsMost))) {
       return FrameTable::No;
     }
     lastUs = rows.row().us;

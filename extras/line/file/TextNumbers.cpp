@@ -6,9 +6,7 @@ namespace line {
 
 namespace {
 
-bool isHexDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
+bool isHexDigit(char c) { return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
 // Returns the sign between two numbers of a list; 0 if they are not of one.
 char signOf(std::string_view between) {

@@ -30,13 +30,9 @@ using Numbers = std::vector<TextNumber>;
 
 constexpr size_t RunLeast = 4;  // numbers with the same sign between them: fewer are a date or a time
 
-inline bool isOneOf(char c, std::string_view set) {
-  return set.find(c) != set.npos;
-}
+inline bool isOneOf(char c, std::string_view set) { return set.find(c) != set.npos; }
 
-inline bool isLetterOrDigit(char c) {
-  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
+inline bool isLetterOrDigit(char c) { return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // Calls take(word, what precedes it) for each word of letters and digits. ! ends a word.
 template <typename Take>

@@ -80,8 +80,6 @@ void ByteStream::take(std::string_view bytes, uint64_t nowUs) {
   }
 }
 
-bool ByteStream::finished(uint64_t nowUs) const {
-  return _ended && nowUs >= _lastEndUs + TailUs;
-}
+bool ByteStream::finished(uint64_t nowUs) const { return _ended && nowUs >= _lastEndUs + TailUs; }
 
 }  // namespace line

@@ -69,9 +69,7 @@ PortFile::~PortFile() {
   }
 }
 
-bool PortFile::holdsBytes() {
-  return _port ? sp_output_waiting(_port.get()) > 0 : _unread && _unread->waits();
-}
+bool PortFile::holdsBytes() { return _port ? sp_output_waiting(_port.get()) > 0 : _unread && _unread->waits(); }
 
 void PortFile::discard() {
   if (_port) {

@@ -37,7 +37,7 @@ class Reopened {
   void gone() {
     _port.reset();  // while it is open, the system would give the adapter another name
     _news = _device + (canComeBack() ? ": the port is gone; plug the adapter in again to go on"
-                                   : ": the program at the other end is gone");
+                                     : ": the program at the other end is gone");
   }
 
   // Returns true if it is gone and will not come back.

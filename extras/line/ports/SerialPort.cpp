@@ -61,9 +61,7 @@ std::string SerialPort::note() const {
 }
 
 // Reads the clock, since the caller's time may be older than the bytes.
-uint64_t SerialPort::nowUs() const {
-  return clockUs() - _zeroUs;
-}
+uint64_t SerialPort::nowUs() const { return clockUs() - _zeroUs; }
 
 void SerialPort::poll() {
   uint8_t bytes[256];

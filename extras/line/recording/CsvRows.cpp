@@ -52,9 +52,7 @@ CsvKind kindOf(const std::string &name) {
 constexpr size_t FlagColumns = 6;     // examples/DecodeSBus
 constexpr size_t SwitchColumns = 18;  // examples/AllChannels
 
-bool mayHaveFlags(size_t columns) {
-  return columns == FlagColumns || columns == SwitchColumns;
-}
+bool mayHaveFlags(size_t columns) { return columns == FlagColumns || columns == SwitchColumns; }
 
 }  // namespace
 
@@ -66,7 +64,8 @@ std::string withCommas(std::string_view row) {
   }
   const char mark = text[separator];
   for (size_t i = 0; i < text.size(); i++) {
-    const bool isDecimal = text[i] == ',' && i > 0 && isDigit(text[i - 1]) && i + 1 < text.size() && isDigit(text[i + 1]);
+    const bool isDecimal =
+        text[i] == ',' && i > 0 && isDigit(text[i - 1]) && i + 1 < text.size() && isDigit(text[i + 1]);
     text[i] = isDecimal ? '.' : text[i] == ',' ? ' ' : text[i] == mark ? ',' : text[i];
   }
   return text;
@@ -135,7 +134,8 @@ void CsvRows::split() {
 
 void CsvRows::endLine() {
   split();
-  const bool hasLong = std::any_of(_row.begin() + 1, _row.end(), [](const CsvField &field) { return field.text.size() > 2; });
+  const bool hasLong =
+      std::any_of(_row.begin() + 1, _row.end(), [](const CsvField &field) { return field.text.size() > 2; });
   _isTable = _line.find_first_of(",;:") != std::string::npos || (hasLong && _line.find('\t') != std::string::npos);
   _isRow = _text && std::all_of(_row.begin(), _row.end(), [](const CsvField &field) { return field.isNumber; });
   _isText = _text && _line.size() >= LeastText;

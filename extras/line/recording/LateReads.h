@@ -1,6 +1,6 @@
-// Finds the reads of a recording whose bytes were late although the port had said that it was empty: the adapter, USB or
-// the system had stalled, not the program. After a time without bytes such bytes come faster than the line sends them,
-// until they account for that time. If they do not, it was a silence.
+// Finds the reads of a recording whose bytes were late although the port had said that it was empty: the adapter, USB
+// or the system had stalled, not the program. After a time without bytes such bytes come faster than the line sends
+// them, until they account for that time. If they do not, it was a silence.
 #pragma once
 
 #include <cstdint>

@@ -86,8 +86,8 @@ class Characters {
 
 struct Recording {
   Characters characters;
-  int64_t zeroUs = 0;      // the file's time from which the characters' times count; not above 0
-  uint64_t beginUs = 0;    // a capture begins and ends at these times; 0 if it is none
+  int64_t zeroUs = 0;    // the file's time from which the characters' times count; not above 0
+  uint64_t beginUs = 0;  // a capture begins and ends at these times; 0 if it is none
   uint64_t endUs = 0;
   std::string error;       // what is wrong and what is expected; otherwise empty
   unsigned errorLine = 0;  // its line, counted from 1; 0 for the recording as a whole

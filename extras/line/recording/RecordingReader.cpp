@@ -58,8 +58,9 @@ std::string RecordingReader::take(std::string_view text, std::deque<Character> &
   if (!parseTime(timeWord.substr(0, mark), us) ||
       (mark != std::string_view::npos &&
        (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs < 0 || lateUs > LateMaxUs))) {
-    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment; "
-                              "without times, bytes such as 0F E3";
+    return quoted(timeWord) +
+           " is not a time: a whole number of microseconds is expected, or a # comment; "
+           "without times, bytes such as 0F E3";
   }
   if (!_any) {
     begin(us < 0 ? us - _characterUs : us);
@@ -136,9 +137,7 @@ std::string RowsReader::line(std::string_view text, std::deque<Character> &chara
   return {};
 }
 
-std::string RowsReader::finish(std::deque<Character> & /*characters*/) {
-  return _any ? "" : Empty;
-}
+std::string RowsReader::finish(std::deque<Character> & /*characters*/) { return _any ? "" : Empty; }
 
 Recording parseRecording(std::string_view text, uint32_t characterUs) {
   Recording recording;

@@ -21,9 +21,7 @@ class RecordingWriter {
   }
 
   // Writes a comment with the date of time 0, given in us since 1970, and the version of the format.
-  void began(int64_t us) {
-    comment(std::string(BeganText) + wallTime(us));
-  }
+  void began(int64_t us) { comment(std::string(BeganText) + wallTime(us)); }
 
   // Sets the time of the text at which the characters' times begin; see Recording::zeroUs. Default: 0.
   void setZero(int64_t us) { _zeroUs = us; }
@@ -46,7 +44,8 @@ class RecordingWriter {
       endLine();
     }
     if (_onLine == 0) {
-      _line = std::to_string(static_cast<int64_t>(endUs) + _zeroUs) + (character.lateUs == 0 ? "" : "~" + std::to_string(character.lateUs));
+      _line = std::to_string(static_cast<int64_t>(endUs) + _zeroUs) +
+              (character.lateUs == 0 ? "" : "~" + std::to_string(character.lateUs));
       _lateUs = character.lateUs;
     }
     constexpr char Digits[] = "0123456789ABCDEF";

@@ -10,13 +10,9 @@
 namespace line {
 
 // Returns true for a blank; CR counts as one, so that CRLF files are read.
-constexpr bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
+constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-constexpr bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // Returns the text without leading and trailing blanks and `mark`s.
 inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {

@@ -44,8 +44,8 @@ class Curves {
  private:
   static constexpr size_t MostBuckets = 2048;
 
-  // Makes room: afterwards at most about half of the buckets are in use. Silences split curves; if there are too many of
-  // them, short ones are closed.
+  // Makes room: afterwards at most about half of the buckets are in use. Silences split curves; if there are too many
+  // of them, short ones are closed.
   void halve() {
     while ((_buckets.back().us - _buckets.front().us) / _bucketUs >= MostBuckets / 2) {
       _bucketUs *= 2;

@@ -41,7 +41,8 @@ class Judge {
     const uint64_t lengthUs = part.toUs - part.fromUs;
     const double expected =
         static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.rate().perSecond();
-    const double missing = std::max(0.0, std::floor(expected - _flight.rate().uncertain()) - sum.frames);  // one may be on the border
+    const double missing =
+        std::max(0.0, std::floor(expected - _flight.rate().uncertain()) - sum.frames);  // one may be on the border
     const double all = sum.frames + (missing > 1 ? missing : 0);
     part.lost = all > 0 ? (sum.lost + (missing > 1 ? missing : 0)) / all : 0;
     return part;
@@ -93,9 +94,10 @@ void FlightLog::finish(const FlightCounts &counts) {
 }
 
 std::string FlightLog::endText() const {
-  return _toUs == lastUs() ? ""
-                           : format("No frames at the end: for the last %.3f s %s.", static_cast<double>(_toUs - lastUs()) / 1e6,
-                                    _byteUs > lastUs() + SilenceUs ? "bytes come, but no frame" : "the line is silent");
+  return _toUs == lastUs()
+             ? ""
+             : format("No frames at the end: for the last %.3f s %s.", static_cast<double>(_toUs - lastUs()) / 1e6,
+                      _byteUs > lastUs() + SilenceUs ? "bytes come, but no frame" : "the line is silent");
 }
 
 void FlightLog::put(const FlightFrame &frame) {
@@ -145,9 +147,8 @@ std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count) {
     listed.insert(listed.end(), some.begin(), some.end());
   }
   const auto isListed = [&listed](const FlightRating &part) {
-    return std::any_of(listed.begin(), listed.end(), [&part](const FlagSpan &span) {
-      return span.fromUs < part.toUs && span.toUs > part.fromUs;
-    });
+    return std::any_of(listed.begin(), listed.end(),
+                       [&part](const FlagSpan &span) { return span.fromUs < part.toUs && span.toUs > part.fromUs; });
   };
   for (uint64_t second = flight.fromUs() / SecondUs; second <= flight.toUs() / SecondUs; second++) {
     const FlightRating part = judge.of(second, second + 1);
@@ -182,8 +183,11 @@ FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes) {
   add("no pulses (0 on CH1 to CH4, without a flag) ", pulseless);
   add("no frames ", silences);
   if (!silences.empty()) {
-    const bool isFirst = silences.front().fromUs < flight.firstUs(), isLast = silences.back().toUs > flight.lastUs();
-    text += isFirst && isLast ? ", at the beginning and at the end" : isFirst ? ", at the beginning" : isLast ? ", at the end" : "";
+    const bool isFirst = silences.front().fromUs<flight.firstUs(), isLast = silences.back().toUs> flight.lastUs();
+    text += isFirst && isLast ? ", at the beginning and at the end"
+            : isFirst         ? ", at the beginning"
+            : isLast          ? ", at the end"
+                              : "";
   }
   if (!text.empty()) {
     text[0] = text[0] == 'f' ? 'F' : 'N';
@@ -192,7 +196,8 @@ FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes) {
   const size_t jumps = flight.spans(FlagSpan::Kind::Jump).size();
   if (jumps > 0) {
     return {Severity::Warning, format("No failsafe, no silence, but channels have jumped for one frame %zu %s; ", jumps,
-                                      jumps == 1 ? "time" : "times") + lostText + "."};
+                                      jumps == 1 ? "time" : "times") +
+                                   lostText + "."};
   }
   return lost >= WarningAt ? FlightVerdict{Severity::Warning, "No failsafe, no silence, but " + lostText + "."}
                            : FlightVerdict{Severity::Good, "All well: no failsafe, no silence, " + lostText + "."};

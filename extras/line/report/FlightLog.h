@@ -111,7 +111,8 @@ struct FlightRating {
 // Returns the flight in `count` parts of equal length, at most one per second.
 std::vector<FlightRating> stripOf(const FlightLog &flight, size_t count);
 
-// Returns the worst seconds, worst first, only those with losses, without those of the `count` longest spans of each kind.
+// Returns the worst seconds, worst first, only those with losses, without those of the `count` longest spans of each
+// kind.
 std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count);
 
 // Rates the flight in one sentence.

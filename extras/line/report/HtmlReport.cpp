@@ -39,7 +39,8 @@ constexpr const char *Style =
     ".c0{fill:var(--c0);stroke:var(--c0)}.c1{fill:var(--c1);stroke:var(--c1)}.c2{fill:var(--c2);stroke:var(--c2)}"
     ".c3{fill:var(--c3);stroke:var(--c3)}text.c0,text.c1,text.c2,text.c3{stroke:none;font-weight:600}"
     ".lost{fill:var(--lost)}.failsafe{fill:var(--failsafe)}.silent{fill:var(--silent)}.late{fill:var(--late)}"
-    ".key i{print-color-adjust:exact;display:inline-block;width:12px;height:12px;margin:0 4px 0 14px;vertical-align:-1px}"
+    ".key i{print-color-adjust:exact;display:inline-block;width:12px;height:12px;margin:0 4px 0 "
+    "14px;vertical-align:-1px}"
     "i.lost{background:var(--lost)}i.failsafe{background:var(--failsafe)}i.silent{background:var(--silent)}"
     "i.late{background:var(--late)}.columns{display:flex;flex-wrap:wrap;gap:0 48px}section{break-inside:avoid}";
 
@@ -53,7 +54,8 @@ std::string escaped(const std::string &text) {
 }
 
 const SpanName &named(FlagSpan::Kind kind) {
-  return *std::find_if(std::begin(SpanNames), std::end(SpanNames), [kind](const SpanName &each) { return each.kind == kind; });
+  return *std::find_if(std::begin(SpanNames), std::end(SpanNames),
+                       [kind](const SpanName &each) { return each.kind == kind; });
 }
 
 // Returns the name at the beginning of a line.
@@ -67,14 +69,11 @@ std::string title(const SpanName &each) {
 std::string timeText(int64_t us) {
   const auto ms = static_cast<unsigned long long>((us < 0 ? -us : us) / 1000);
   return (us < 0 ? "-" : "") +
-         (ms < 3600000
-              ? format("%llu.%03llu s", ms / 1000, ms % 1000)
-              : format("%llu:%02llu:%02llu.%03llu", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000));
+         (ms < 3600000 ? format("%llu.%03llu s", ms / 1000, ms % 1000)
+                       : format("%llu:%02llu:%02llu.%03llu", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000));
 }
 
-std::string cell(const std::string &text) {
-  return "<td class=\"n\">" + text + "</td>";
-}
+std::string cell(const std::string &text) { return "<td class=\"n\">" + text + "</td>"; }
 
 // Draws each part as a column with the square root of its losses as its height: it shows both 0.3 % and 40 %.
 std::string strip(const FlightLog &flight) {
@@ -97,7 +96,8 @@ std::string strip(const FlightLog &flight) {
           timeText(flight.shownUs(part.fromUs)).c_str(), 100 * part.lost);
     }
   }
-  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.shownUs(flight.fromUs())) + " to " + timeText(flight.shownUs(flight.toUs()));
+  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.shownUs(flight.fromUs())) + " to " +
+          timeText(flight.shownUs(flight.toUs()));
   for (const SpanName &each : SpanNames) {
     text += std::string("<i class=\"") + each.colour + "\"></i>" + title(each);
   }
@@ -110,8 +110,12 @@ std::string worst(const FlightLog &flight) {
     rows += "<tr>" + cell(timeText(flight.shownUs(part.fromUs))) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
             (part.kind() == FlagSpan::Kind::LostFrame ? "" : named(part.kind()).name) + "</td></tr>\n";
   }
-  const std::string other = flight.spans(FlagSpan::Kind::Failsafe).size() + flight.spans(FlagSpan::Kind::NoPulses).size() +
-                                        flight.spans(FlagSpan::Kind::NoFrames).size() > 0 ? "other " : "";
+  const std::string other = flight.spans(FlagSpan::Kind::Failsafe).size() +
+                                        flight.spans(FlagSpan::Kind::NoPulses).size() +
+                                        flight.spans(FlagSpan::Kind::NoFrames).size() >
+                                    0
+                                ? "other "
+                                : "";
   return "<section><h2>The worst " + other + "seconds</h2>\n" +
          (rows.empty() ? "<p>No " + other + "second has a lost frame.</p>"
                        : "<table><tr><th class=\"n\">from</th><th class=\"n\">frames lost</th><th></th></tr>\n" + rows +
@@ -129,8 +133,9 @@ std::string spans(const FlightLog &flight, const SpanName &listed) {
                             static_cast<double>(sumUs(all)) / 1e6) +
                      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
   for (const FlagSpan &span : longest(all, SpansMost)) {
-    text +=
-        "<tr>" + cell(timeText(flight.shownUs(span.fromUs))) + cell(span.channels != 0 ? jumpedText(span) : format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
+    text += "<tr>" + cell(timeText(flight.shownUs(span.fromUs))) +
+            cell(span.channels != 0 ? jumpedText(span) : format("%.3f s", static_cast<double>(span.us()) / 1e6)) +
+            "</tr>\n";
   }
   return text + "</table></section>\n";
 }
@@ -139,10 +144,12 @@ std::string facts(const FlightLog &flight, const ReportFacts &facts) {
   const FlightCounts &counts = flight.counts();
   std::string text = "<p class=\"quiet\">" + escaped(flight.variant()) + ", " + escaped(facts.settings);
   text += facts.startUs ? ", " + wallTime(*facts.startUs).substr(0, 19).replace(10, 1, " ") + " UTC" : "";
-  text += format("</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
-                 timeText(static_cast<int64_t>(flight.toUs() - flight.fromUs())).c_str(), counts.frames,
-                 flight.rate().perSecond(), counts.lostFrames, flight.rate().missing(), counts.failsafeFrames);
-  return text + format("%lu discarded bytes, %lu character errors.</p>\n", counts.discardedBytes, counts.characterErrors);
+  text += format(
+      "</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
+      timeText(static_cast<int64_t>(flight.toUs() - flight.fromUs())).c_str(), counts.frames, flight.rate().perSecond(),
+      counts.lostFrames, flight.rate().missing(), counts.failsafeFrames);
+  return text +
+         format("%lu discarded bytes, %lu character errors.</p>\n", counts.discardedBytes, counts.characterErrors);
 }
 
 std::string intervals(const FlightLog &flight) {

@@ -49,8 +49,15 @@ class ObservedFlight {
   void take(const Stretch &stretch) {
     const Values &newest = _observer.newest();
     if (stretch.isFrame()) {
-      FlightFrame frame{stretch.kind, stretch.characters.back().value, stretch.endUs(), stretch.lateUs(),
-                        _observer.inFailsafe(), newest.lostFrame, newest.hasNoPulses(), newest.raw, newest.count};
+      FlightFrame frame{stretch.kind,
+                        stretch.characters.back().value,
+                        stretch.endUs(),
+                        stretch.lateUs(),
+                        _observer.inFailsafe(),
+                        newest.lostFrame,
+                        newest.hasNoPulses(),
+                        newest.raw,
+                        newest.count};
       _log.put(frame);
     }
   }

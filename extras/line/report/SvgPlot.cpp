@@ -49,8 +49,7 @@ Axis valueAxis(const Curves &curves) {
 
 class Drawing {
  public:
-  explicit Drawing(const FlightLog &flight)
-      : _flight(flight), _x(timeAxis(flight)), _y(valueAxis(flight.curves())) {}
+  explicit Drawing(const FlightLog &flight) : _flight(flight), _x(timeAxis(flight)), _y(valueAxis(flight.curves())) {}
 
   std::string text() {
     _text = format("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"CH1 to CH4\">\n<defs>", Width, Height) +
@@ -81,7 +80,8 @@ class Drawing {
   void spans() {
     double legend = Left;
     for (const SpanName &kind : SpanNames) {
-      const std::vector<FlagSpan> all = kind.kind == FlagSpan::Kind::LostFrame ? std::vector<FlagSpan>() : _flight.spans(kind.kind);
+      const std::vector<FlagSpan> all =
+          kind.kind == FlagSpan::Kind::LostFrame ? std::vector<FlagSpan>() : _flight.spans(kind.kind);
       for (const FlagSpan &span : all) {
         rectangle(kind.colour, px(span.fromUs), Top, std::max(1.5, px(span.toUs) - px(span.fromUs)), PlotHeight);
       }
@@ -167,10 +167,10 @@ class Drawing {
       most = name->y - LineHeight;
     }
     for (const Name &name : all) {
-      _text += format("<path class=\"c%zu\" opacity=\".5\" d=\"M%.1f %.1fL%.0f %.1f\"/>\n", name.channel, px(last.us), name.end,
-                      Left + PlotWidth + 14, name.y) +
-               format("<text class=\"c%zu\" x=\"%.0f\" y=\"%.1f\">CH%zu</text>\n", name.channel, Left + PlotWidth + 18, name.y + 4,
-                      name.channel + 1);
+      _text += format("<path class=\"c%zu\" opacity=\".5\" d=\"M%.1f %.1fL%.0f %.1f\"/>\n", name.channel, px(last.us),
+                      name.end, Left + PlotWidth + 14, name.y) +
+               format("<text class=\"c%zu\" x=\"%.0f\" y=\"%.1f\">CH%zu</text>\n", name.channel, Left + PlotWidth + 18,
+                      name.y + 4, name.channel + 1);
     }
   }
 
@@ -182,8 +182,6 @@ class Drawing {
 
 }  // namespace
 
-std::string curvesOf(const FlightLog &flight) {
-  return Drawing(flight).text();
-}
+std::string curvesOf(const FlightLog &flight) { return Drawing(flight).text(); }
 
 }  // namespace line

@@ -24,13 +24,9 @@ extern const Choreography Flight;
 // both sticks up and right (23..28 s; CH2 is reversed), a gentle flight (29..40 s). A few frames are lost.
 extern const Choreography CalibrationMoves;
 
-inline const Choreography &choreography(Sticks sticks) {
-  return sticks == Sticks::Flight ? Flight : CalibrationMoves;
-}
+inline const Choreography &choreography(Sticks sticks) { return sticks == Sticks::Flight ? Flight : CalibrationMoves; }
 
 // Two frames in a row, every 100 frames (0.9 s).
-inline bool isLostInFlight(uint32_t frameNumber) {
-  return frameNumber % 100 >= 60 && frameNumber % 100 < 62;
-}
+inline bool isLostInFlight(uint32_t frameNumber) { return frameNumber % 100 >= 60 && frameNumber % 100 < 62; }
 
 }  // namespace line

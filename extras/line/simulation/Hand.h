@@ -33,9 +33,7 @@ inline uint16_t sweep(uint32_t ms, uint32_t periodMs) {
 }
 
 // Returns a switch that changes its position every `restMs`. It begins low.
-inline uint16_t twoPositions(uint32_t ms, uint32_t restMs) {
-  return ms / restMs % 2 == 0 ? Low : High;
-}
+inline uint16_t twoPositions(uint32_t ms, uint32_t restMs) { return ms / restMs % 2 == 0 ? Low : High; }
 inline uint16_t threePositions(uint32_t ms, uint32_t restMs) {
   constexpr uint16_t Positions[] = {Low, Centre, High};
   return Positions[ms / restMs % 3];

@@ -21,7 +21,8 @@ class NoisyLine : public Line {
   bool next(uint64_t nowUs, Character &character) override {
     _hasQuiet = _hasQuiet || _line->next(nowUs + _characterUs, _quiet);
     const uint64_t noiseEndUs = _noiseUs + _characterUs;
-    const bool noise = !_hasQuiet || noiseEndUs + _characterUs <= _quiet.endUs;  // there is room for a character of noise
+    const bool noise =
+        !_hasQuiet || noiseEndUs + _characterUs <= _quiet.endUs;  // there is room for a character of noise
     const uint64_t endUs = noise ? noiseEndUs : _quiet.endUs;
     if (endUs > nowUs) {
       return false;

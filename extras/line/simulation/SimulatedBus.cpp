@@ -16,15 +16,12 @@ constexpr uint16_t ExternalDecivolts = 241;   // 24.1 V, takarakasai/sbus, doc/s
 constexpr uint8_t OnlySlot0End = 0x08;
 constexpr size_t MostFrames = 8;  // to remember
 
-constexpr uint32_t periodUs(BusMode mode) {
-  return mode == BusMode::OnlySlot0 ? OnlySlot0PeriodUs : SlotsPeriodUs;
-}
+constexpr uint32_t periodUs(BusMode mode) { return mode == BusMode::OnlySlot0 ? OnlySlot0PeriodUs : SlotsPeriodUs; }
 
 }  // namespace
 
 SimulatedBus::SimulatedBus(const Choreography &choreography, BusMode mode)
-    : _mode(mode), _receiver(choreography, CharacterUs, Channels::Sixteen, periodUs(mode)) {
-}
+    : _mode(mode), _receiver(choreography, CharacterUs, Channels::Sixteen, periodUs(mode)) {}
 
 bool SimulatedBus::next(uint64_t nowUs, Character &character) {
   if (nowUs < CharacterUs) {
@@ -146,8 +143,6 @@ void SimulatedBus::hear(const Character &character) {
   _judge.heard(character, CharacterUs, heard->bad, frameAt(character.endUs));
 }
 
-std::string SimulatedBus::report() const {
-  return _isShared ? "on the S.BUS2 wire: " + _judge.text() : "";
-}
+std::string SimulatedBus::report() const { return _isShared ? "on the S.BUS2 wire: " + _judge.text() : ""; }
 
 }  // namespace line

@@ -37,8 +37,7 @@ LowLatency::~LowLatency() {
 
 #else
 
-LowLatency::LowLatency(int /*file*/, Control /*control*/) {
-}
+LowLatency::LowLatency(int /*file*/, Control /*control*/) {}
 
 LowLatency::~LowLatency() = default;
 

@@ -73,9 +73,7 @@ int openTemporary() {
   return file;
 }
 
-bool syncFile(int file) {
-  return fsync(file) == 0 || errno == EINVAL || errno == EINTR;
-}
+bool syncFile(int file) { return fsync(file) == 0 || errno == EINVAL || errno == EINTR; }
 
 void syncFolder(const std::string &name) {
   const int folder = open(name.empty() ? "." : name.c_str(), O_RDONLY | O_CLOEXEC);
@@ -91,9 +89,7 @@ bool isPortName(const std::string &name) {
   return stat(name.c_str(), &status) == 0 ? S_ISCHR(status.st_mode) : name.rfind("/dev/", 0) == 0;
 }
 
-bool mayOpen(const std::string &port) {
-  return access(port.c_str(), R_OK) == 0;
-}
+bool mayOpen(const std::string &port) { return access(port.c_str(), R_OK) == 0; }
 
 }  // namespace line
 

@@ -114,9 +114,7 @@ std::ptrdiff_t PortFile::write(const uint8_t *bytes, size_t size) {
   return count >= 0 ? count : errno == EAGAIN || errno == EINTR ? 0 : -1;
 }
 
-void PortFile::wait(int ms) {
-  isReadable(file(), ms);
-}
+void PortFile::wait(int ms) { isReadable(file(), ms); }
 
 }  // namespace line
 

@@ -48,9 +48,7 @@ PseudoTerminal::PseudoTerminal() : _handle(posix_openpt(O_RDWR | O_NOCTTY | O_CL
   _unread.emplace(_handle);
 }
 
-PseudoTerminal::~PseudoTerminal() {
-  close(_handle);
-}
+PseudoTerminal::~PseudoTerminal() { close(_handle); }
 
 bool PseudoTerminal::hasReader() const {
   pollfd state = {_handle, POLLOUT, 0};

@@ -26,9 +26,7 @@ Unread::Unread(int file) : _file(file), _poll(epoll_create1(EPOLL_CLOEXEC)) {
   epoll_ctl(_poll, EPOLL_CTL_ADD, _file, &event);
 }
 
-Unread::~Unread() {
-  close(_poll);
-}
+Unread::~Unread() { close(_poll); }
 
 void Unread::wrote() {
   isWoken(_poll);  // by the write itself
@@ -42,14 +40,11 @@ bool Unread::waits() {
 
 #else
 
-Unread::Unread(int file) : _file(file), _poll(-1) {
-}
+Unread::Unread(int file) : _file(file), _poll(-1) {}
 
 Unread::~Unread() = default;
 
-void Unread::wrote() {
-  _waits = true;
-}
+void Unread::wrote() { _waits = true; }
 
 bool Unread::waits() {
 #if defined(_WIN32)

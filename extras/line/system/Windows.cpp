@@ -92,9 +92,7 @@ size_t terminalColumns() {
   return known ? static_cast<size_t>(info.srWindow.Right - info.srWindow.Left + 1) : 0;
 }
 
-bool useTerminalLocale() {
-  return setlocale(LC_CTYPE, ".UTF-8") != nullptr;
-}
+bool useTerminalLocale() { return setlocale(LC_CTYPE, ".UTF-8") != nullptr; }
 
 void onStop(void (*handler)(int signal)) {
   static void (*stop)(int) = SIG_DFL;
@@ -137,12 +135,9 @@ int openTemporary() {
   return open(name, _O_RDWR | _O_TEMPORARY | CloseOnExec);
 }
 
-bool syncFile(int file) {
-  return _commit(file) == 0 || errno == EBADF;
-}
+bool syncFile(int file) { return _commit(file) == 0 || errno == EBADF; }
 
-void syncFolder(const std::string & /*name*/) {
-}
+void syncFolder(const std::string & /*name*/) {}
 
 bool isPortName(const std::string &name) {
   const std::string device = name.rfind("\\\\.\\", 0) == 0 ? name.substr(4) : name;
@@ -150,9 +145,7 @@ bool isPortName(const std::string &name) {
          device.find_first_not_of("0123456789", 3) == std::string::npos;
 }
 
-bool mayOpen(const std::string & /*port*/) {
-  return true;
-}
+bool mayOpen(const std::string & /*port*/) { return true; }
 
 std::string openError(const std::string &device, int error, const std::string &message) {
   switch (error) {
@@ -167,12 +160,9 @@ std::string openError(const std::string &device, int error, const std::string &m
 }
 
 // Never called: no port has such a name.
-void PortFile::openPseudoTerminal(const std::string & /*device*/, Way /*way*/) {
-}
+void PortFile::openPseudoTerminal(const std::string & /*device*/, Way /*way*/) {}
 
-int PortFile::file() const {
-  return -1;
-}
+int PortFile::file() const { return -1; }
 
 bool PortFile::markErrors() {
   DCB settings{};
@@ -240,17 +230,11 @@ PseudoTerminal::PseudoTerminal() {
 
 PseudoTerminal::~PseudoTerminal() = default;
 
-bool PseudoTerminal::hasReader() const {
-  return false;
-}
+bool PseudoTerminal::hasReader() const { return false; }
 
-size_t PseudoTerminal::write(const uint8_t * /*bytes*/, size_t /*size*/) {
-  return 0;
-}
+size_t PseudoTerminal::write(const uint8_t * /*bytes*/, size_t /*size*/) { return 0; }
 
-size_t PseudoTerminal::read(uint8_t * /*bytes*/, size_t /*size*/) {
-  return 0;
-}
+size_t PseudoTerminal::read(uint8_t * /*bytes*/, size_t /*size*/) { return 0; }
 
 }  // namespace line
 

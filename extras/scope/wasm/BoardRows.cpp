@@ -12,8 +12,7 @@ constexpr uint64_t Missing = 3;  // rows, until the board is stale: a slow sketc
 
 }  // namespace
 
-BoardRows::BoardRows() : Arrivals(TimeoutMs) {
-}
+BoardRows::BoardRows() : Arrivals(TimeoutMs) {}
 
 bool BoardRows::put(uint8_t byte, uint64_t nowUs) {
   if (!_rows.put(byte)) {

@@ -6,12 +6,8 @@
 
 extern "C" {
 
-[[noreturn, gnu::weak]] void *__cxa_allocate_exception(std::size_t) {
-  __builtin_trap();
-}
+[[noreturn, gnu::weak]] void *__cxa_allocate_exception(std::size_t) { __builtin_trap(); }
 
-[[noreturn, gnu::weak]] void __cxa_throw(void *, void *, void (*)(void *)) {
-  __builtin_trap();
-}
+[[noreturn, gnu::weak]] void __cxa_throw(void *, void *, void (*)(void *)) { __builtin_trap(); }
 
 }  // extern "C"

@@ -19,9 +19,7 @@ std::unique_ptr<line::FlightLog> growing;  // while the recording is decoded
 std::unique_ptr<line::FlightLog> flight;   // once it is
 std::string words;
 
-unsigned long long number(uint64_t us) {
-  return us;
-}
+unsigned long long number(uint64_t us) { return us; }
 
 std::string json(const std::vector<line::FlightRating> &parts) {
   std::string text;
@@ -74,16 +72,22 @@ EXPORT(beginFlight)()->void {
 EXPORT(flightRecords)(unsigned size)->void {
   const auto *const records = reinterpret_cast<const Record *>(transfer);
   for (const Record *record = records; record != records + size / sizeof *record; record++) {
-    const auto endUs = static_cast<uint64_t>(record->endUs), bytesUs = uint64_t{theTape.settings.characterUs()} * record->size;
+    const auto endUs = static_cast<uint64_t>(record->endUs),
+               bytesUs = uint64_t{theTape.settings.characterUs()} * record->size;
     if (record->kind <= static_cast<uint8_t>(scope::Kind::NoFrame)) {
       growing->heard(endUs - std::min(endUs, bytesUs));
       growing->heard(endUs);
     }
     if (record->kind <= static_cast<uint8_t>(scope::Kind::Extra)) {
-      line::FlightFrame frame{static_cast<line::Stretch::Kind>(record->kind), record->bytes[record->size - 1],
-                              static_cast<uint64_t>(record->endUs), static_cast<uint32_t>(record->lateUs),
-                              (record->flags & sbus::FlagFailsafe) != 0, (record->flags & sbus::FlagLostFrame) != 0,
-                              (record->flags & FlagNoPulses) != 0, {}, record->channelCount};
+      line::FlightFrame frame{static_cast<line::Stretch::Kind>(record->kind),
+                              record->bytes[record->size - 1],
+                              static_cast<uint64_t>(record->endUs),
+                              static_cast<uint32_t>(record->lateUs),
+                              (record->flags & sbus::FlagFailsafe) != 0,
+                              (record->flags & sbus::FlagLostFrame) != 0,
+                              (record->flags & FlagNoPulses) != 0,
+                              {},
+                              record->channelCount};
       std::transform(record->channels, record->channels + record->channelCount, frame.channels.begin(),
                      [](double raw) { return static_cast<uint16_t>(raw); });
       growing->put(frame);
@@ -92,7 +96,8 @@ EXPORT(flightRecords)(unsigned size)->void {
 }
 
 // After the last records, with the counts of the decoder. Returns "" of a recording without frames.
-EXPORT(flightNumbers)(unsigned frames, unsigned lost, unsigned failsafe, unsigned discarded, unsigned errors)->const char * {
+EXPORT(flightNumbers)
+(unsigned frames, unsigned lost, unsigned failsafe, unsigned discarded, unsigned errors)->const char * {
   if (theTape.recording.endUs > 0) {
     growing->heard(theTape.recording.endUs, true);
   }

@@ -18,9 +18,7 @@ line::LineSettings settings(double baud, bool inverted) {
   return settings;
 }
 
-uint64_t us(double nowUs) {
-  return nowUs > 0 ? static_cast<uint64_t>(nowUs) : 0;
-}
+uint64_t us(double nowUs) { return nowUs > 0 ? static_cast<uint64_t>(nowUs) : 0; }
 
 void begin(double nowUs, const line::LineSettings &settings) {
   shownLine.simulated.reset();
@@ -30,9 +28,7 @@ void begin(double nowUs, const line::LineSettings &settings) {
 
 }  // namespace
 
-EXPORT(transferBuffer)()->uint8_t * {
-  return transfer;
-}
+EXPORT(transferBuffer)()->uint8_t * { return transfer; }
 
 EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud, int inverted)->void {
   const line::LineSettings line = settings(baud, inverted != 0);
@@ -66,12 +62,8 @@ EXPORT(openPort)(double nowUs, double baud, int board)->void {
   begin(nowUs, port);
 }
 
-EXPORT(received)(unsigned count, double nowUs)->void {
-  shownLine.received(transfer, count, us(nowUs));
-}
-EXPORT(receivedBad)(double nowUs)->void {
-  shownLine.receivedBad(us(nowUs));
-}
+EXPORT(received)(unsigned count, double nowUs)->void { shownLine.received(transfer, count, us(nowUs)); }
+EXPORT(receivedBad)(double nowUs)->void { shownLine.receivedBad(us(nowUs)); }
 
 // Plays a recording. The line's settings are in the buffer (recordingSettings()).
 EXPORT(playRecording)()->void {
@@ -86,9 +78,7 @@ EXPORT(feed)(unsigned size, int areLast)->void {
   shownLine.played->feed(reinterpret_cast<const line::Character *>(transfer), size / sizeof(line::Character),
                          areLast != 0);
 }
-EXPORT(needsMore)()->int {
-  return shownLine.played && shownLine.played->needsMore();
-}
+EXPORT(needsMore)()->int { return shownLine.played && shownLine.played->needsMore(); }
 
 // Takes all that has come by `nowUs`. Returns how many records there are then. If there are ShownLine::Enough, call it
 // again once they are taken away; if needsMore(), once it is fed.
@@ -97,17 +87,13 @@ EXPORT(advance)(double nowUs)->unsigned {
   return static_cast<unsigned>(shownLine.records.size());
 }
 
-EXPORT(records)()->const Record * {
-  return shownLine.records.data();
-}
+EXPORT(records)()->const Record * { return shownLine.records.data(); }
 // Makes the records that the page shows once more. Returns how many they are.
 EXPORT(recall)()->unsigned {
   shownLine.recall();
   return static_cast<unsigned>(shownLine.records.size());
 }
-EXPORT(takenRecords)()->void {
-  shownLine.records.clear();
-}
+EXPORT(takenRecords)()->void { shownLine.records.clear(); }
 
 // The steps of a condition are in the buffer; without any the page watches for nothing. Returns true if it may become
 // true while nothing comes.
@@ -128,9 +114,7 @@ EXPORT(gapOf)(double beforeUs, double nowUs, double lateUs, double limitUs)->int
 }
 
 // Begins or ends a recording.
-EXPORT(record)(int on)->void {
-  shownLine.record(on != 0);
-}
+EXPORT(record)(int on)->void { shownLine.record(on != 0); }
 
 // Returns what was recorded since the last call.
 EXPORT(takeRecorded)()->const char * {

@@ -19,9 +19,7 @@ double range[3];
 line::Condition condition("", nullptr);
 ReadCondition answer;
 
-sbus::CalibratedChannel uncalibrated() {
-  return {scale == Scale::Futaba ? sbus::Futaba : sbus::FrSky, 0};
-}
+sbus::CalibratedChannel uncalibrated() { return {scale == Scale::Futaba ? sbus::Futaba : sbus::FrSky, 0}; }
 
 sbus::CalibratedChannel of(unsigned channel) {
   const bool known = scale == Scale::Calibrated && channel < sbus::ProportionalCount &&
@@ -31,17 +29,13 @@ sbus::CalibratedChannel of(unsigned channel) {
 
 }  // namespace
 
-EXPORT(setScale)(int chosen)->void {
-  scale = static_cast<Scale>(chosen);
-}
+EXPORT(setScale)(int chosen)->void { scale = static_cast<Scale>(chosen); }
 // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: a Futaba's into 1100, 1520 and 1940.
 EXPORT(microseconds)(unsigned channel, double raw)->int {
   const sbus::CalibratedChannel scaled = scale == Scale::Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
   return scaled.toMicroseconds(static_cast<uint16_t>(raw));
 }
-EXPORT(thousandths)(unsigned channel, double raw)->int {
-  return of(channel).toNormalized(static_cast<uint16_t>(raw));
-}
+EXPORT(thousandths)(unsigned channel, double raw)->int { return of(channel).toNormalized(static_cast<uint16_t>(raw)); }
 
 // Reads a condition, the text in the buffer.
 EXPORT(readCondition)(unsigned count, int isBoard)->const ReadCondition * {
@@ -88,9 +82,7 @@ EXPORT(calibrationErrorOf)(unsigned channel)->int {
   return static_cast<int>(calibrator.result(static_cast<uint8_t>(channel), found));
 }
 // Returns the error's text, to follow the channel's name.
-EXPORT(calibrationErrorText)(int error)->const char * {
-  return sbus::text(static_cast<sbus::CalibrationError>(error));
-}
+EXPORT(calibrationErrorText)(int error)->const char * { return sbus::text(static_cast<sbus::CalibrationError>(error)); }
 
 // Bit 0 of `required` is CH1. Returns the channel that failed, from 0 on, or -1: Scale::Calibrated then uses the
 // calibration.
@@ -99,17 +91,11 @@ EXPORT(finishCalibration)(unsigned required)->int {
   finishError = calibrator.finish(static_cast<uint16_t>(required), calibration, channel);
   return finishError == sbus::CalibrationError::None ? -1 : channel;
 }
-EXPORT(finishCalibrationError)()->int {
-  return static_cast<int>(finishError);
-}
+EXPORT(finishCalibrationError)()->int { return static_cast<int>(finishError); }
 
 // Returns the calibration's bytes, for the page to store and to put back.
-EXPORT(calibrationBytes)()->sbus::Calibration * {
-  return &calibration;
-}
-EXPORT(calibrationSize)()->unsigned {
-  return sizeof calibration;
-}
+EXPORT(calibrationBytes)()->sbus::Calibration * { return &calibration; }
+EXPORT(calibrationSize)()->unsigned { return sizeof calibration; }
 
 // Returns true if the calibration that was put back is good. A damaged one is dropped.
 EXPORT(calibrationIsGood)()->int {

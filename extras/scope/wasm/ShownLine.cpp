@@ -129,7 +129,8 @@ void ShownLine::advance(uint64_t nowUs) {
     return;
   }
   takeReads(nowUs);
-  if (nowUs >= _lookUs + LookUs && !_stalled.isHolding()) {  // the browser has handed over all that had come by the last look
+  if (nowUs >= _lookUs + LookUs &&
+      !_stalled.isHolding()) {  // the browser has handed over all that had come by the last look
     _reads.empty(_lookUs);
     _lookUs = nowUs;
   }

@@ -29,9 +29,7 @@ constexpr size_t EndUs = 3000;
 
 // The buffer for them: bytes of a port, text of a recording.
 alignas(8) extern uint8_t transfer[TransferSize];
-inline std::string_view transferred(size_t count) {
-  return {reinterpret_cast<const char *>(transfer), count};
-}
+inline std::string_view transferred(size_t count) { return {reinterpret_cast<const char *>(transfer), count}; }
 
 // In a record's flags, which a frame does not use: it is in failsafe by its losses, not by its flag.
 constexpr uint8_t FlagByLosses = 0x80;

@@ -1,5 +1,5 @@
-// Tells a silence at a port from an adapter, USB or a system that has stalled: after it, what the line sent meanwhile comes
-// at once. (line/recording/LateReads.h tells them apart in a recording.)
+// Tells a silence at a port from an adapter, USB or a system that has stalled: after it, what the line sent meanwhile
+// comes at once. (line/recording/LateReads.h tells them apart in a recording.)
 #pragma once
 
 #include <utility>

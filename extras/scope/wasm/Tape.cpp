@@ -69,7 +69,9 @@ void takeLines(std::string_view text) {
     if (error.empty() && lines.isCut() && lines.wrong().empty() && !tape.characters.empty()) {
       takeCutLine(line);
     } else if (error.empty()) {
-      error = !lines.wrong().empty() ? lines.wrong() : lines.isCut() ? reader->cutLine(line, came) : reader->line(line, came);
+      error = !lines.wrong().empty() ? lines.wrong()
+              : lines.isCut()        ? reader->cutLine(line, came)
+                                     : reader->line(line, came);
       error = error.empty() ? "" : "line " + std::to_string(lines.number()) + ": " + error;
       keep();
     }
@@ -120,9 +122,7 @@ std::string finishCapture() {
   return failure;
 }
 
-int64_t ns(double us) {
-  return static_cast<int64_t>(us * 1000) + capture->zeroNs();
-}
+int64_t ns(double us) { return static_cast<int64_t>(us * 1000) + capture->zeroNs(); }
 
 // Returns the level in the middle of a bit of a character that begins at `startUs`.
 bool isIdleAt(double startUs, int bit) {
@@ -135,16 +135,13 @@ bool isIdleAt(double startUs, int bit) {
 }  // namespace
 
 // The file's name is in the buffer.
-EXPORT(nameFile)(unsigned count)->void {
-  name = transferred(count);
-}
+EXPORT(nameFile)(unsigned count)->void { name = transferred(count); }
 
 // The name of the signal to decode is in the buffer; without this call it is the best one.
-EXPORT(chooseSignal)(unsigned count)->void {
-  overrides.signal = transferred(count);
-}
+EXPORT(chooseSignal)(unsigned count)->void { overrides.signal = transferred(count); }
 
-// The file's beginning is in the buffer, line::FileHeadMax bytes of it or all. Returns why the page cannot read it, or "".
+// The file's beginning is in the buffer, line::FileHeadMax bytes of it or all. Returns why the page cannot read it, or
+// "".
 EXPORT(openFile)(unsigned count)->const char * {
   head = line::readFileHead(transferred(count), name);
   settings = head.settings;
@@ -160,9 +157,7 @@ EXPORT(openFile)(unsigned count)->const char * {
 }
 
 // A session's metadata are in the buffer, or a part of them.
-EXPORT(sessionMetadata)(unsigned count)->void {
-  metadata += transferred(count);
-}
+EXPORT(sessionMetadata)(unsigned count)->void { metadata += transferred(count); }
 
 // After the metadata. Returns what is wrong with them, or "".
 EXPORT(openSession)()->const char * {
@@ -174,9 +169,7 @@ EXPORT(openSession)()->const char * {
 }
 
 // Returns the name of the entry with its samples, or the beginning of several names.
-EXPORT(samplesName)()->const char * {
-  return session->samplesName().c_str();
-}
+EXPORT(samplesName)()->const char * { return session->samplesName().c_str(); }
 // Returns what is wrong with a session that has no such entry.
 EXPORT(noSamples)()->const char * {
   words = name + ": " + session->noSamples();
@@ -211,9 +204,7 @@ EXPORT(endFile)()->const char * {
 }
 
 // Returns what a user should know of the file, or "".
-EXPORT(fileNote)()->const char * {
-  return head.note.c_str();
-}
+EXPORT(fileNote)()->const char * { return head.note.c_str(); }
 
 // Returns what is wrong with its bytes and what to do, a line each; or "".
 EXPORT(fileDamage)()->const char * {
@@ -222,19 +213,13 @@ EXPORT(fileDamage)()->const char * {
 }
 
 // Returns the file's own time at time 0 of its characters, in us: below 0 if it begins before its trigger.
-EXPORT(recordingZeroUs)()->double {
-  return static_cast<double>(tape.zeroUs);
-}
+EXPORT(recordingZeroUs)()->double { return static_cast<double>(tape.zeroUs); }
 
 // Returns false if the times are not the line's: frames are assumed to be back to back.
-EXPORT(recordingHasTimes)()->int {
-  return theTape.hasTimes;
-}
+EXPORT(recordingHasTimes)()->int { return theTape.hasTimes; }
 
 // Returns when time 0 of the recording was, in us since 1970; 0 if it does not say so.
-EXPORT(recordingStartUs)()->double {
-  return static_cast<double>(theTape.startUs.value_or(0));
-}
+EXPORT(recordingStartUs)()->double { return static_cast<double>(theTape.startUs.value_or(0)); }
 
 // Returns what carries the line in a capture, or "".
 EXPORT(carrier)()->const char * {
@@ -286,9 +271,7 @@ EXPORT(edgesEndUs)()->double {
   return capture->edges().isWhole() ? 0 : static_cast<double>(capture->edges().endNs() - capture->zeroNs()) / 1000;
 }
 
-EXPORT(bitUs)()->double {
-  return capture->wire().wire().bitNs / 1000;
-}
+EXPORT(bitUs)()->double { return capture->wire().wire().bitNs / 1000; }
 
 // Writes the characters that end from `fromUs` on, `most` at most, into the buffer: of each two doubles, its beginning
 // in us and its value, plus 256 for a wrong parity and 512 for a wrong stop bit. Returns how many.
@@ -325,14 +308,10 @@ EXPORT(recordingLengthUs)()->double {
   const double endUs = static_cast<double>(tape.characters.back().endUs);
   return capture ? std::max(endUs, static_cast<double>(capture->wire().endNs() - capture->zeroNs()) / 1000) : endUs;
 }
-EXPORT(recordingSize)()->unsigned {
-  return static_cast<unsigned>(tape.characters.size());
-}
+EXPORT(recordingSize)()->unsigned { return static_cast<unsigned>(tape.characters.size()); }
 
 // Returns when a character was complete.
-EXPORT(recordingUs)(unsigned index)->double {
-  return static_cast<double>(tape.characters[index].endUs);
-}
+EXPORT(recordingUs)(unsigned index)->double { return static_cast<double>(tape.characters[index].endUs); }
 
 // Writes the line's settings into the buffer. Returns their bytes.
 EXPORT(recordingSettings)()->unsigned {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr uint32_t CyclesPerUs = 16;
 constexpr avr_cycle_count_t Never = avr_cycle_count_t{1} << 60;
-constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;       // of a silent line
-constexpr uint64_t AheadUs = 20;                                 // a pin's character is drawn so much before it begins
+constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;  // of a silent line
+constexpr uint64_t AheadUs = 20;                            // a pin's character is drawn so much before it begins
 constexpr uint32_t HighMillivolts = 3300;
 constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of a line that hands characters over at their end
 constexpr uint8_t ExternalInterrupts = 8;                        // INT0..INT7
@@ -104,9 +104,7 @@ AvrBoard::AvrBoard(const Model &model, const std::string &sketch, Line line, dou
   run(seconds);
 }
 
-AvrBoard::~AvrBoard() {
-  avr_terminate(_avr);
-}
+AvrBoard::~AvrBoard() { avr_terminate(_avr); }
 
 void AvrBoard::load(const std::string &sketch) {
   const std::string file = std::string(ELVES "/") + _model.name + "/" + sketch + ".elf";
@@ -281,9 +279,7 @@ void AvrBoard::run(double seconds) {
   }
 }
 
-uint64_t AvrBoard::clockUs(avr_cycle_count_t cycle) const {
-  return (cycle - _clockZero) / CyclesPerUs;
-}
+uint64_t AvrBoard::clockUs(avr_cycle_count_t cycle) const { return (cycle - _clockZero) / CyclesPerUs; }
 
 std::vector<uint8_t> AvrBoard::eeprom() const {
   std::vector<uint8_t> bytes(_model.eepromBytes);

@@ -116,7 +116,7 @@ class AvrBoard {
 
   const std::vector<line::Character> &characters() const { return _characters; }  // on the line
   const std::vector<line::Character> &secondCharacters() const { return _second->characters(); }
-  const std::vector<uint64_t> &opened() const { return _opened; }                 // when the line's port was
+  const std::vector<uint64_t> &opened() const { return _opened; }   // when the line's port was
   const std::vector<Printed> &printed() const { return _printed; }  // lines on Serial, or over USB, without their ends
   const std::vector<Sent> &sent() const { return _sent; }           // on the ports that do not print
   const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }  // 0..3: the pins 2..5; OC1A; Led

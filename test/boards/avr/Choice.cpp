@@ -62,5 +62,4 @@ void setup() {
   Serial.println();
 }
 
-void loop() {
-}
+void loop() {}

@@ -91,7 +91,7 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
       {Mega, "AllChannels", "paper", 1.2, 2, avr::allChannels},
       {Mega, "AllChannels", "sbus2", 1.2, 4, avr::allChannels},
       {Mega, "DecodeSBus", "flight", 13, 64, avr::decodeSBus},  // from 9.5 s to 12.5 s the radio is off
-      {Mega, "DecodeSBus", "cut", 3, 10, avr::decodeSBus},  // and no row when the line has fallen silent
+      {Mega, "DecodeSBus", "cut", 3, 10, avr::decodeSBus},      // and no row when the line has fallen silent
       {Mega, "Mixer", "flight", 13, 64, avr::mixer, 1430},
       {Mega, "Mixer", "cut", 3, 14, avr::mixer,
        330},  // goes on: after 100 ms both flags are set, the throttle is closed
@@ -165,7 +165,8 @@ TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the
     if (std::sscanf(line.text.c_str(), "begin(%lu): %lu frames", &baud, &frames) == 2) {
       REQUIRE(trials < board.opened().size());
       CHECK(baud == (trials % 2 == 0 ? 100000 : 200000));
-      // Between the last poll and the line are read() and Diagnosis::add(), over 250 us: a frame that ends then may count.
+      // Between the last poll and the line are read() and Diagnosis::add(), over 250 us: a frame that ends then may
+      // count.
       constexpr uint64_t LastPollUs = 400;
       const uint64_t opened = board.opened()[trials];
       const bool isRight = trials % 2 == 0;

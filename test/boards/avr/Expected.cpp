@@ -17,9 +17,7 @@ constexpr uint64_t TimeoutUs = 100000;
 constexpr uint64_t BusyUs = 2000;  // the longest loop() that prints
 constexpr uint64_t FrameUs = sbus::FrameSize * line::CharacterUs;
 
-bool isUsable(const SeenFrame &frame) {
-  return frame.number != 0 && !frame.stale;
-}
+bool isUsable(const SeenFrame &frame) { return frame.number != 0 && !frame.stale; }
 
 template <typename Scale>
 Numbers scaled(const Channels &channels, size_t count, Scale scale) {
@@ -52,7 +50,8 @@ Line lineOf(const std::string &name) {
   source.silent = name == "silent";
   source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
   source.noise = name == "noisy" ? 20 : 0;
-  if (name != "flight" && name != "cut" && name != "noisy" && name != "calibration" && name != "silent" && name != "wire") {
+  if (name != "flight" && name != "cut" && name != "noisy" && name != "calibration" && name != "silent" &&
+      name != "wire") {
     source.name = "../../recordings/" + name + ".txt";
   }
   Line line;

@@ -14,8 +14,8 @@
 
 namespace avr {
 
-// Returns a line. "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "noisy":
-// one that is disturbed 20 times a second; "silent"; "wire": from TX1; otherwise a recording.
+// Returns a line. "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s;
+// "noisy": one that is disturbed 20 times a second; "silent"; "wire": from TX1; otherwise a recording.
 Line lineOf(const std::string &name);
 
 // A frame of the line, read bit by bit: the library has no part in it.

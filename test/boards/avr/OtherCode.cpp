@@ -1,5 +1,5 @@
-// A sketch that receives on Serial1, and does what other libraries do. (No .ino, as Background.cpp.) The EEPROM's first byte
-// is what, a Work. Prints each second
+// A sketch that receives on Serial1, and does what other libraries do. (No .ino, as Background.cpp.) The EEPROM's first
+// byte is what, a Work. Prints each second
 //   frames  since the beginning
 
 #include <Arduino.h>

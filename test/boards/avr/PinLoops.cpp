@@ -1,6 +1,6 @@
 // A sketch that receives on an SBusPin, or with PORT on a hardware port, and counts for a second how often it does a
-// piece of work: the EEPROM then begins with the number of loops, four bytes, and of new frames. At micros() 1600000 and
-// at millis() 1650 the LED flashes.
+// piece of work: the EEPROM then begins with the number of loops, four bytes, and of new frames. At micros() 1600000
+// and at millis() 1650 the LED flashes.
 
 #include <Arduino.h>
 #include <DecodeSBus.h>
@@ -49,5 +49,4 @@ void setup() {
   flash();
 }
 
-void loop() {
-}
+void loop() {}

@@ -286,10 +286,7 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
          row.isHigh = true;
          row.open = {100, 400};
        }},
-      {"interrupts off for 12 us in each loop", 222,
-       [](Row &row) {
-         mask(row, 12, 12, 1);
-       }},
+      {"interrupts off for 12 us in each loop", 222, [](Row &row) { mask(row, 12, 12, 1); }},
       {"5 to 30 us, one loop in 8", 100, [](Row &row) { mask(row, 5, 30, 8); }},
       {"20 to 60 us, one in 32", 80, [](Row &row) { mask(row, 20, 60, 32); }},
       {"30 to 40 us, one in 32", 80, [](Row &row) { mask(row, 30, 40, 32); }},
@@ -342,7 +339,8 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
       CAPTURE(std::string(model.name));
       const std::string result = resultOf(model, row, wave);
       const avr::Numbers numbers = avr::numbersIn(result);
-      MESSAGE(std::string(run.name), ", ", std::string(model.name), ": ", wave.frames, " sent; received, wrong, overflows: ", result);
+      MESSAGE(std::string(run.name), ", ", std::string(model.name), ": ", wave.frames,
+              " sent; received, wrong, overflows: ", result);
       REQUIRE(numbers.size() == 3);
       CHECK(numbers[1] == 0);
       CHECK(numbers[0] + static_cast<double>(run.missed) >= static_cast<double>(wave.frames));
@@ -393,7 +391,8 @@ class RandomChannels : public line::Line {
 
 }  // namespace
 
-TEST_CASE("a line on a pin takes at most 8 % of the processor's time more than on a hardware port, and stops no clock") {
+TEST_CASE(
+    "a line on a pin takes at most 8 % of the processor's time more than on a hardware port, and stops no clock") {
   const auto loops = [](const avr::Model &model, const char *sketch, uint64_t cutUs) {
     avr::Line line;
     line.source = std::make_unique<RandomChannels>();

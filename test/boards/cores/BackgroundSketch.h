@@ -37,9 +37,7 @@ struct SketchOf {
     world.reader = &unheld;
     sbus.begin();
   }
-  ~SketchOf() {
-    sbus.end();
-  }
+  ~SketchOf() { sbus.end(); }
 
   void line(unsigned count, uint64_t everyUs) {
     frames = count;
@@ -47,9 +45,7 @@ struct SketchOf {
     startUs = world.nowUs + 5 * Ms;
     putOnLine(count, 100000, Core.inverts, everyUs);
   }
-  uint64_t endUs() const {
-    return startUs + frames * periodUs + 10 * Ms;
-  }
+  uint64_t endUs() const { return startUs + frames * periodUs + 10 * Ms; }
 
   template <typename Method>
   void call(Method method) {

@@ -183,7 +183,7 @@ TEST_CASE("telemetry comes in the background, with its age, and nothing reads th
   sketch.call([&] { CHECK(sketch.sbus.readSensor(0, voltage)); });
   CHECK(voltage.decivolts == 46);
   sketch.call([&] { CHECK(sketch.sbus.readSensor(0, voltage, trust)); });
-  CHECK(trust.times >= 4);  // the first frame may be found late
+  CHECK(trust.times >= 4);      // the first frame may be found late
   CHECK(trust.age >= 15 + 11);  // the newest frame but one announced it
   CHECK(trust.age <= 15 + 11 + 10);
   sketch.call([&] { CHECK(sketch.sbus.rejectedGroups() == 0); });

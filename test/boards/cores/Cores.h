@@ -62,9 +62,7 @@ inline Channels channelsOf(unsigned number) {
   return channels;
 }
 
-inline Frame frameOf(unsigned number) {
-  return writeBitByBit(channelsOf(number));
-}
+inline Frame frameOf(unsigned number) { return writeBitByBit(channelsOf(number)); }
 
 inline void putOnLine(unsigned frames, unsigned long baud, bool inverted, uint64_t periodUs) {
   world.baud = baud;
@@ -139,13 +137,9 @@ class Software : public Simulated<Stream> {
     uart.open({100000, 2, false, false});
   }
 #if defined(PRINT_WITHOUT_ROOM)
-  int availableForWrite() {
-    return uart.room();
-  }
+  int availableForWrite() { return uart.room(); }
 #else
-  int availableForWrite() override {
-    return uart.room();
-  }
+  int availableForWrite() override { return uart.room(); }
 #endif
 };
 

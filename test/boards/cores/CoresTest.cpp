@@ -142,7 +142,8 @@ TEST_CASE("what waits when begin() is called is of an unknown age, and is no fra
   CHECK(dSBus.frameAge() == ULONG_MAX);
 }
 
-TEST_CASE("with a loop() blocked for up to 100 ms no frame is wrong, and only frames that do not fit the port are lost") {
+TEST_CASE(
+    "with a loop() blocked for up to 100 ms no frame is wrong, and only frames that do not fit the port are lost") {
   constexpr unsigned Frames = 150;
   for (const unsigned periodUs : {7000u, 9000u, 14000u}) {
     for (const unsigned loopUs : {50u, 1000u, 3000u}) {
@@ -219,9 +220,7 @@ TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin()
   }
 }
 
-TEST_CASE("inverts() returns whether the port can invert") {
-  CHECK(sbus::inverts(SBUS_PORT) == Core.inverts);
-}
+TEST_CASE("inverts() returns whether the port can invert") { CHECK(sbus::inverts(SBUS_PORT) == Core.inverts); }
 
 #if defined(ESP32)
 TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimer finds that out") {

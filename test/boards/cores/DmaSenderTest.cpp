@@ -40,13 +40,9 @@ void reset() {
   sbus::usart1.size = sbus::usart2.size = sbus::lpuart1.size = 0;
 }
 
-unsigned indexOf(uint16_t channel) {
-  return (channel & 7u) - STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX;
-}
+unsigned indexOf(uint16_t channel) { return (channel & 7u) - STM32L0_DMA_CHANNEL_DMA1_CH1_INDEX; }
 
-uint32_t requestOf(unsigned channel) {
-  return dma.selection.CSELR >> (4 * channel) & 15;
-}
+uint32_t requestOf(unsigned channel) { return dma.selection.CSELR >> (4 * channel) & 15; }
 
 // Uart::begin(): ends the port first, sets all of CR3 (stm32l0_uart.c:905), and enables the receiver's channel.
 void begin(unsigned uart) {

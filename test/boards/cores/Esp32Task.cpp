@@ -77,9 +77,7 @@ int xSemaphoreGive(SemaphoreHandle_t mutex) {
   return 1;
 }
 
-sim::Uart *sim::uartOf(int number) {
-  return &(number == 2 ? Serial2 : Serial1).uart;
-}
+sim::Uart *sim::uartOf(int number) { return &(number == 2 ? Serial2 : Serial1).uart; }
 
 // uart_ll.h:285: the count and the two pointers are read one after the other. If the driver empties the FIFO between
 // them, it seems to hold 128.

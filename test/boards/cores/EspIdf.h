@@ -33,7 +33,8 @@ int64_t esp_timer_get_time();
 struct portMUX_TYPE {
   unsigned taken;
 };
-#define portMUX_INITIALIZER_UNLOCKED {0}
+#define portMUX_INITIALIZER_UNLOCKED \
+  { 0 }
 #define portENTER_CRITICAL(lock) sim::enterCritical(lock)
 #define portEXIT_CRITICAL(lock) sim::exitCritical(lock)
 

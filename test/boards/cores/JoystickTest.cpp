@@ -56,8 +56,8 @@ std::vector<int> shown() {
   };
   std::map<unsigned, Field> fields;  // by page and usage
   int page = 0, low = 0, high = 0, bits = 0, count = 0, id = 0, first = 0, depth = 0;
-  const std::map<unsigned, int *> numbers = {{0x04, &page}, {0x14, &low}, {0x24, &high}, {0x74, &bits},
-                                             {0x94, &count}, {0x84, &id}, {0x18, &first}};
+  const std::map<unsigned, int *> numbers = {{0x04, &page},  {0x14, &low}, {0x24, &high}, {0x74, &bits},
+                                             {0x94, &count}, {0x84, &id},  {0x18, &first}};
   unsigned at = 0;
   const sim::Bytes &items = usb.descriptor;
   for (size_t i = 0; i < items.size();) {

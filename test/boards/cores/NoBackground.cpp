@@ -12,10 +12,6 @@ DecodeSBusBackground dSBus(static_cast<Stream &>(Serial1));
 #include <SBus2Sensor.h>
 #elif CASE == 3
 DecodeSBusBackground dSBus(Serial1);
-void open(DecodeSBus &decoder) {
-  decoder.begin();
-}
-void setup() {
-  open(dSBus);
-}
+void open(DecodeSBus &decoder) { decoder.begin(); }
+void setup() { open(dSBus); }
 #endif

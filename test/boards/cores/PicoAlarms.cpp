@@ -32,9 +32,7 @@ int hardware_alarm_claim_unused(bool) {
   return -1;
 }
 
-void hardware_alarm_unclaim(uint alarm) {
-  alarms.claimed &= ~(1u << alarm);
-}
+void hardware_alarm_unclaim(uint alarm) { alarms.claimed &= ~(1u << alarm); }
 
 // :184
 void hardware_alarm_set_callback(uint alarm, hardware_alarm_callback_t callback) {
@@ -58,30 +56,20 @@ bool hardware_alarm_set_target(uint alarm, absolute_time_t target) {
   return false;
 }
 
-void hardware_alarm_cancel(uint) {
-  world.alarmAtUs = sim::World::Never;
-}
+void hardware_alarm_cancel(uint) { world.alarmAtUs = sim::World::Never; }
 
-uint hardware_alarm_get_irq_num(uint alarm) {
-  return alarm;
-}
+uint hardware_alarm_get_irq_num(uint alarm) { return alarm; }
 
-void irq_set_priority(unsigned number, uint8_t priority) {
-  alarms.priority[number] = priority;
-}
+void irq_set_priority(unsigned number, uint8_t priority) { alarms.priority[number] = priority; }
 
-unsigned get_core_num() {
-  return alarms.core;
-}
+unsigned get_core_num() { return alarms.core; }
 
 uint64_t time_us_64() {
   world.pass(LookUs);
   return world.nowUs;
 }
 
-uint32_t time_us_32() {
-  return static_cast<uint32_t>(time_us_64());
-}
+uint32_t time_us_32() { return static_cast<uint32_t>(time_us_64()); }
 
 void busy_wait_us_32(uint32_t us) {
   for (const uint64_t endUs = world.nowUs + us; world.nowUs < endUs;) {
@@ -89,10 +77,6 @@ void busy_wait_us_32(uint32_t us) {
   }
 }
 
-uint32_t save_and_disable_interrupts() {
-  return world.masked++;
-}
+uint32_t save_and_disable_interrupts() { return world.masked++; }
 
-void restore_interrupts(uint32_t status) {
-  world.masked = status;
-}
+void restore_interrupts(uint32_t status) { world.masked = status; }

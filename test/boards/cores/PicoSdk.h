@@ -27,6 +27,4 @@ uint hardware_alarm_get_irq_num(uint alarm);
 uint32_t time_us_32();
 uint64_t time_us_64();
 void busy_wait_us_32(uint32_t us);
-inline absolute_time_t from_us_since_boot(uint64_t us) {
-  return us;
-}
+inline absolute_time_t from_us_since_boot(uint64_t us) { return us; }

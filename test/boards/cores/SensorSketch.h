@@ -87,9 +87,7 @@ struct SketchOn {
     CHECK(sensor.writeSensor(6, sbus::VoltageSbs01V{56, 125}));
     CHECK(sensor.writeSensor(24, sbus::CurrentF1678{2345, 1234, 1500}));
   }
-  ~SketchOn() {
-    sensor.end();
-  }
+  ~SketchOn() { sensor.end(); }
 
   template <typename Loop>
   void run(Loop loop, uint64_t seconds = Seconds) {

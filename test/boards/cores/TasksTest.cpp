@@ -133,8 +133,8 @@ bool prints(uint64_t us, const std::string &row, unsigned least) {
 
 }  // namespace
 
-// What FreeRTOS asserts, counts as a crash: tasks.c, prvInitialiseNewTask(), and freertos_tasks_c_additions.h, which takes
-// the stack in bytes.
+// What FreeRTOS asserts, counts as a crash: tasks.c, prvInitialiseNewTask(), and freertos_tasks_c_additions.h, which
+// takes the stack in bytes.
 BaseType_t xTaskCreatePinnedToCore(TaskFunction_t function, const char *, uint32_t stackBytes, void *,
                                    UBaseType_t priority, TaskHandle_t *, BaseType_t core) {
   world.crashes += core < 0 || core >= chip.cores || priority >= configMAX_PRIORITIES || stackBytes < LeastStack;
@@ -152,18 +152,14 @@ BaseType_t xTaskCreatePinnedToCore(TaskFunction_t function, const char *, uint32
 }
 
 // 0 lets no task of a lower priority run (tasks.c, vTaskDelay()).
-void vTaskDelay(TickType_t ticks) {
-  wait(ticks == 0 ? world.nowUs : (world.nowUs / TickUs + ticks) * TickUs);
-}
+void vTaskDelay(TickType_t ticks) { wait(ticks == 0 ? world.nowUs : (world.nowUs / TickUs + ticks) * TickUs); }
 
 void vTaskDelete(TaskHandle_t) {
   running->isDeleted = true;
   wait(0);
 }
 
-BaseType_t xPortGetCoreID() {
-  return running->core;
-}
+BaseType_t xPortGetCoreID() { return running->core; }
 
 // queue.c, xQueueGenericSend(): to be overwritten, it has one place.
 QueueHandle_t xQueueCreate(UBaseType_t length, UBaseType_t size) {

@@ -129,7 +129,7 @@ TEST_CASE(
 #elif defined(ESP32)
 
 TEST_CASE("each method that loop() calls waits for the task, which may be in the middle of a frame") {
-  SketchOf<DecodeSBusBackgroundOf<DecodeSBus32>> sketch;
+  SketchOf<DecodeSBusBackgroundOf<DecodeSBus32> > sketch;
   uint16_t channels[18];
   bool failsafe, lostFrame;
   const DecodeSBusBackgroundOf<DecodeSBus32> &constant = sketch.sbus;

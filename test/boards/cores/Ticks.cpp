@@ -134,12 +134,8 @@ void NVIC_SetPriority(IRQn_Type number, uint32_t priority) {
 }
 
 // hooks.c:43, cortex_handlers.c:42.
-extern "C" __attribute__((weak)) int sysTickHook() {
-  return 0;
-}
-extern "C" __attribute__((weak)) void PendSV_Handler() {
-  world.crashes++;
-}
+extern "C" __attribute__((weak)) int sysTickHook() { return 0; }
+extern "C" __attribute__((weak)) void PendSV_Handler() { world.crashes++; }
 
 sim::Scb *sim::scb() {
   static Scb only;

@@ -53,21 +53,14 @@ const Driven *World::drivenWithin(uint64_t beginUs, uint64_t endUs) const {
   return nullptr;
 }
 
-void inPort() {
-  world.pass(world.portUs);
-}
+void inPort() { world.pass(world.portUs); }
 
-void print(char c) {
-  world.printed += c;
-}
+void print(char c) { world.printed += c; }
 
 Uart::Uart(const Facts &facts, Drops drops, bool wired)
-    : _facts(facts), _drops(drops), _wired(wired), _size(facts.buffer), _burst(facts.burst) {
-}
+    : _facts(facts), _drops(drops), _wired(wired), _size(facts.buffer), _burst(facts.burst) {}
 
-void Uart::crash() const {
-  world.crashes++;
-}
+void Uart::crash() const { world.crashes++; }
 
 void Uart::fault(unsigned what) const {
   if (!_open && (_facts.faults & what) != 0) {
@@ -372,21 +365,12 @@ uint32_t micros() {
   return static_cast<uint32_t>(hz == 0 ? us : us * hz / 1000000 * 1000000 / hz);
 }
 // Of 600 MHz.
-uint32_t cycleCount() {
-  return static_cast<uint32_t>(sim::world.nowUs * 600);
-}
+uint32_t cycleCount() { return static_cast<uint32_t>(sim::world.nowUs * 600); }
 uint32_t millis() {
   sim::world.pass(sim::world.tickUs);
   return static_cast<uint32_t>((sim::world.nowUs - sim::world.stoodStillUs) / 1000);
 }
-void delay(unsigned long ms) {
-  sim::world.pass(ms * 1000);
-}
-void delayMicroseconds(unsigned us) {
-  sim::world.pass(us);
-}
-void yield() {
-}
-void digitalWrite(uint32_t, uint32_t level) {
-  sim::world.levels.push_back({sim::world.nowUs, level != 0});
-}
+void delay(unsigned long ms) { sim::world.pass(ms * 1000); }
+void delayMicroseconds(unsigned us) { sim::world.pass(us); }
+void yield() {}
+void digitalWrite(uint32_t, uint32_t level) { sim::world.levels.push_back({sim::world.nowUs, level != 0}); }

@@ -50,7 +50,7 @@ class Uart {
   void open(const Settings &settings, bool isHalfDuplex = false);
   void change(const Settings &settings);  // of an open port, or opens it
   void close();
-  void cut();  // closes it, without waiting for what is to be sent
+  void cut();                           // closes it, without waiting for what is to be sent
   void attach(int pin) { _pin = pin; }  // below 0: nothing is attached
   bool isOpen() const { return _open; }
   void crash() const;
@@ -66,7 +66,7 @@ class Uart {
     _keeps = characters;
     _overflowUs = overflowUs;
   }
-  void turnOff(uint64_t us);  // interrupts, for this time
+  void turnOff(uint64_t us);                 // interrupts, for this time
   void lookIntoFifo() { _seesFifo = true; }  // available() counts what waits for a burst, and read() takes it
   bool isHalfDuplex() const { return _isHalfDuplex; }
   unsigned behind() const { return _drops == Fifo ? FifoSize + _burst : 0; }  // bytes that wait behind a full buffer

@@ -67,11 +67,11 @@ struct World {
   unsigned tickUs = 0;      // how long reading the clock takes
   unsigned clockHz = 0;     // micros() counts these steps; 0: each microsecond
   unsigned lateUs = 0;      // how long an interrupt holds up the next read()
-  bool looped = false;  // what was sent comes back, whatever its polarity
-  unsigned portUs = 0;  // how long a method of the port takes, where a core locks it
+  bool looped = false;      // what was sent comes back, whatever its polarity
+  unsigned portUs = 0;      // how long a method of the port takes, where a core locks it
 
-  // A driver like the ESP32's: its interrupt comes late by up to driverLateUs, then has what it has taken out of the FIFO
-  // for up to driverUs, and then counts it. All at random.
+  // A driver like the ESP32's: its interrupt comes late by up to driverLateUs, then has what it has taken out of the
+  // FIFO for up to driverUs, and then counts it. All at random.
   unsigned driverLateUs = 0, driverUs = 0;
   unsigned earlyUs = 0;  // how long before its end a character is in the FIFO
   unsigned cacheUs = 0;  // the most that code in flash takes if the cache does not hold it

@@ -32,13 +32,9 @@ bool operator==(double value, const Approx &expected) {
   return std::fabs(value - expected.value) < Epsilon * (1 + std::max(std::fabs(value), std::fabs(expected.value)));
 }
 
-Context::Context() : _outer(innermost) {
-  innermost = this;
-}
+Context::Context() : _outer(innermost) { innermost = this; }
 
-Context::~Context() {
-  innermost = _outer;
-}
+Context::~Context() { innermost = _outer; }
 
 TestCase::TestCase(const char *name, void (*run)()) : _name(name), _run(run) {
   *last = this;
@@ -66,12 +62,8 @@ bool check(bool good, const char *file, int line, const char *text) {
   return good;
 }
 
-void giveUp() {
-  std::exit(finish());
-}
+void giveUp() { std::exit(finish()); }
 
 }  // namespace doctest
 
-int main() {
-  return doctest::TestCase::runAll();
-}
+int main() { return doctest::TestCase::runAll(); }

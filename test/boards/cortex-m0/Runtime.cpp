@@ -23,24 +23,16 @@ void *operator new(size_t size) {
   return memory != nullptr ? memory : (stop("no memory"), nullptr);
 }
 
-void operator delete(void *memory) noexcept {
-  free(memory);
-}
+void operator delete(void *memory) noexcept { free(memory); }
 
-void operator delete(void *memory, size_t) noexcept {
-  free(memory);
-}
+void operator delete(void *memory, size_t) noexcept { free(memory); }
 
 extern "C" {
 
-void __cxa_pure_virtual() {
-  stop("a pure virtual function was called");
-}
+void __cxa_pure_virtual() { stop("a pure virtual function was called"); }
 
 // Statics are never destroyed: the machine ends with the program.
-int __aeabi_atexit(void *, void (*)(void *), void *) {
-  return 0;
-}
+int __aeabi_atexit(void *, void (*)(void *), void *) { return 0; }
 
 }  // extern "C"
 
@@ -50,23 +42,11 @@ template class std::basic_string<char>;
 // Defines what the library's <bits/functexcept.h> declares.
 namespace std {
 
-void __throw_bad_alloc() {
-  stop("bad_alloc");
-}
-void __throw_bad_array_new_length() {
-  stop("bad_array_new_length");
-}
-void __throw_bad_function_call() {
-  stop("bad_function_call");
-}
-void __throw_length_error(const char *what) {
-  stop(what);
-}
-void __throw_logic_error(const char *what) {
-  stop(what);
-}
-void __throw_out_of_range_fmt(const char *format, ...) {
-  stop(format);
-}
+void __throw_bad_alloc() { stop("bad_alloc"); }
+void __throw_bad_array_new_length() { stop("bad_array_new_length"); }
+void __throw_bad_function_call() { stop("bad_function_call"); }
+void __throw_length_error(const char *what) { stop(what); }
+void __throw_logic_error(const char *what) { stop(what); }
+void __throw_out_of_range_fmt(const char *format, ...) { stop(format); }
 
 }  // namespace std

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 enum class Semihosting : uint32_t {
-  Write0 = 0x04,  // a text, to QEMU's standard error
+  Write0 = 0x04,        // a text, to QEMU's standard error
   ExitExtended = 0x20,  // with a status
 };
 

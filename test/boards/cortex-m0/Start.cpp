@@ -1,5 +1,5 @@
-// The vectors of a bare Cortex-M0 under QEMU. Newlib's start-up code, rdimon's, does the rest: it asks QEMU for the stack,
-// the heap and the arguments, and calls main().
+// The vectors of a bare Cortex-M0 under QEMU. Newlib's start-up code, rdimon's, does the rest: it asks QEMU for the
+// stack, the heap and the arguments, and calls main().
 #include <stdint.h>
 
 #include "Semihosting.h"

@@ -30,7 +30,8 @@ class Servo {
       pulses[_number].port = portOutputRegister(digitalPinToPort(number));
       if (SERVO_TIMER(TIMSK, ) == 0) {
         SERVO_TIMER(TCCR, A) = 0;
-        SERVO_TIMER(TCCR, B) = _BV(SERVO_TIMER(WGM, 2)) | _BV(SERVO_TIMER(CS, 1));  // up to OCRnA, and again; every 8 cycles
+        SERVO_TIMER(TCCR, B) =
+            _BV(SERVO_TIMER(WGM, 2)) | _BV(SERVO_TIMER(CS, 1));  // up to OCRnA, and again; every 8 cycles
         SERVO_TIMER(TCNT, ) = 0;
         SERVO_TIMER(OCR, A) = Count * Slot - 1;
         SERVO_TIMER(OCR, B) = edge - Ahead;
@@ -42,9 +43,7 @@ class Servo {
   // Takes effect with the next pulse.
   void writeMicroseconds(int us) {
     const uint16_t ticks = static_cast<uint16_t>(constrain(us, 544, 2400)) * TicksPerUs;
-    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
-      pulses[_number].ticks = ticks;
-    }
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { pulses[_number].ticks = ticks; }
   }
 
   // Called by the interrupt of the timer: makes the edge, and sets the time of the next.
@@ -68,8 +67,8 @@ class Servo {
   // Before each pulse, so that none begins right after the end of one of the simulated receiver's frames: there a
   // sketch may have read neither that frame nor the one before.
   static constexpr uint16_t Gap = 1000 * TicksPerUs;
-  // The interrupt comes this much before an edge, and waits for it: other interrupts, each shorter than that, do not move
-  // the edge, as they do with the real library.
+  // The interrupt comes this much before an edge, and waits for it: other interrupts, each shorter than that, do not
+  // move the edge, as they do with the real library.
   static constexpr uint16_t Ahead = 24 * TicksPerUs;
 
   struct Pulse {
@@ -93,8 +92,6 @@ uint8_t Servo::current = 0;
 bool Servo::rises = true;
 uint16_t Servo::edge = Servo::Gap;
 
-ISR(SERVO_INTERRUPT) {
-  Servo::next();
-}
+ISR(SERVO_INTERRUPT) { Servo::next(); }
 
 #pragma GCC diagnostic pop

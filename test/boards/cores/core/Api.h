@@ -1,4 +1,5 @@
-// github.com/arduino/ArduinoCore-API cd91833: api/HardwareSerial.h, Print.h, Stream.h. Of arduino-pico, megaAVR, Uno R4, SAMD.
+// github.com/arduino/ArduinoCore-API cd91833: api/HardwareSerial.h, Print.h, Stream.h. Of arduino-pico, megaAVR, Uno
+// R4, SAMD.
 #pragma once
 
 #define ARDUINO_API
@@ -26,6 +27,7 @@ class HardwareSerial : public Stream {
 
 }  // namespace arduino
 
-inline sim::Settings apiSettings(unsigned long baud, uint16_t config, bool rxInverted = false, bool txInverted = false) {
+inline sim::Settings apiSettings(unsigned long baud, uint16_t config, bool rxInverted = false,
+                                 bool txInverted = false) {
   return {baud, sim::evenStops<unsigned long>(config, SERIAL_8E1, SERIAL_8E2), rxInverted, txInverted};
 }

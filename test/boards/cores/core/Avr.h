@@ -1,5 +1,6 @@
 // github.com/arduino/ArduinoCore-avr 1.8.8 (11b9130): cores/arduino/HardwareSerial.h, .cpp, HardwareSerial_private.h.
-// A character with a parity error is discarded, one with a framing error is kept (_private.h:103). begin() keeps what waits
+// A character with a parity error is discarded, one with a framing error is kept (_private.h:103). begin() keeps what
+// waits
 // (.cpp:117), end() clears it (163).
 #pragma once
 

@@ -22,8 +22,9 @@
 enum SerialConfig { SERIAL_8N1 = 0x800001c, SERIAL_8E1 = 0x800001e, SERIAL_8E2 = 0x800003e };
 #endif
 #define PINS_GIVEN 16, 17
-#if !defined(CONFIG_IDF_TARGET_ESP32C3) && !defined(CONFIG_IDF_TARGET_ESP32C6) && !defined(CONFIG_IDF_TARGET_ESP32H2) && \
-    !defined(CONFIG_IDF_TARGET_ESP32P4) && !defined(CONFIG_IDF_TARGET_ESP32S2) && !defined(CONFIG_IDF_TARGET_ESP32S3)
+#if !defined(CONFIG_IDF_TARGET_ESP32C3) && !defined(CONFIG_IDF_TARGET_ESP32C6) && \
+    !defined(CONFIG_IDF_TARGET_ESP32H2) && !defined(CONFIG_IDF_TARGET_ESP32P4) && \
+    !defined(CONFIG_IDF_TARGET_ESP32S2) && !defined(CONFIG_IDF_TARGET_ESP32S3)
 #define CONFIG_IDF_TARGET_ESP32 1
 #endif
 
@@ -57,7 +58,7 @@ class HardwareSerial : public Simulated<Stream> {
     }
   }
 
-  void end() {  // :400
+  void end() {                                    // :400
     ESP32_CORE == 3 ? uart.cut() : uart.close();  // uartEnd() detaches the pins at once
     attach(-1);
   }
@@ -118,16 +119,12 @@ class HardwareSerial : public Simulated<Stream> {
   int8_t _rx = -1;
 };
 extern HardwareSerial Serial1, Serial2;
-inline uint8_t HardwareSerial::number() const {
-  return this == &Serial1 ? 1 : 2;
-}
+inline uint8_t HardwareSerial::number() const { return this == &Serial1 ? 1 : 2; }
 
 constexpr sim::Known Core = {true, 2, 0, true};
 
 #define OPENED_BY_HAND
-inline void openByHand() {
-  Serial1.begin(100000, SERIAL_8E2, sim::CorePin, 17, true);
-}
+inline void openByHand() { Serial1.begin(100000, SERIAL_8E2, sim::CorePin, 17, true); }
 
 // FreeRTOS as ESP-IDF has it (v5.1, components/freertos/FreeRTOS-Kernel), which arduino-esp32's Arduino.h brings in.
 // What fails there with configASSERT() counts as a crash.

@@ -1,8 +1,9 @@
-// github.com/arduino/ArduinoCore-megaavr 1.8.8 (bbdfd4b): cores/arduino/UART.h, UART.cpp, UART_private.h, of a Nano Every.
-// DxCore 1.6.3 (github.com/SpenceKonde/DxCore c92e357) and megaTinyCore 2.6.11 (b5758d2) do the same (cores/dxcore/UART.cpp).
-// A character with a parity error is discarded, one with a framing error is kept (UART_private.h:55; DxCore,
-// UART.cpp:198). begin() keeps what waits, unless something was sent: then it calls end() (UART.cpp:144; 546), which clears it
-// (200; 698). The pin can invert: begin() and end() leave that alone, since pinMode() does (wiring_digital.c:64; 95).
+// github.com/arduino/ArduinoCore-megaavr 1.8.8 (bbdfd4b): cores/arduino/UART.h, UART.cpp, UART_private.h, of a Nano
+// Every. DxCore 1.6.3 (github.com/SpenceKonde/DxCore c92e357) and megaTinyCore 2.6.11 (b5758d2) do the same
+// (cores/dxcore/UART.cpp). A character with a parity error is discarded, one with a framing error is kept
+// (UART_private.h:55; DxCore, UART.cpp:198). begin() keeps what waits, unless something was sent: then it calls end()
+// (UART.cpp:144; 546), which clears it (200; 698). The pin can invert: begin() and end() leave that alone, since
+// pinMode() does (wiring_digital.c:64; 95).
 #pragma once
 
 #include "Api.h"

@@ -9,7 +9,7 @@
 #define ARDUINO_ARCH_NRF52
 #define NRF52_SERIES
 #define NO_EEPROM
-#define CLOCK_HZ 1024  // micros() is the tick of FreeRTOS (delay.h:60, FreeRTOSConfig.h)
+#define CLOCK_HZ 1024          // micros() is the tick of FreeRTOS (delay.h:60, FreeRTOSConfig.h)
 #define SERIAL_BUFFER_SIZE 64  // one place stays free
 #define SERIAL_8N1 0x00
 #define SERIAL_8E1 0x0E
@@ -67,7 +67,8 @@ struct NRF_UARTE_Type {
   void apply() const {
     const uint64_t baud = uint64_t{BAUDRATE} * 16000000 >> 32;
     const int format = static_cast<int>(CONFIG & ~UARTE_CONFIG_HWFC_Msk);
-    Serial1.uart.change({static_cast<unsigned long>(baud), sim::evenStops(format, SERIAL_8E1, SERIAL_8E2), false, false});
+    Serial1.uart.change(
+        {static_cast<unsigned long>(baud), sim::evenStops(format, SERIAL_8E1, SERIAL_8E2), false, false});
   }
 };
 #define NRF_UARTE0 (&NRF_UARTE_Type::registers())

@@ -1,7 +1,7 @@
 // github.com/earlephilhower/arduino-pico 6.0.0 (387294c): cores/rp2040/SerialUART.h and .cpp, LocklessQueue.h.
 // Characters with errors are discarded (.cpp:532). begin() ends an open port (219). While it is open its settings stand
-// (163), and another pin stops the board (61). end() keeps pins and settings (303), and resets the UART at once (319). A
-// method that is interrupted holds a mutex: to the interrupt all of them return 0 (CoreMutex.cpp:47).
+// (163), and another pin stops the board (61). end() keeps pins and settings (303), and resets the UART at once (319).
+// A method that is interrupted holds a mutex: to the interrupt all of them return 0 (CoreMutex.cpp:47).
 #pragma once
 
 #include "Api.h"
@@ -30,9 +30,15 @@ class SerialUART : public Simulated<HardwareSerial> {
     uart.open(apiSettings(baud, config, _invertRx, _invertTx));
   }
   void end() override { uart.cut(); }
-  int available() override { return locked([&] { return uart.available(); }); }
-  int peek() override { return _isLocked ? -1 : locked([&] { return uart.peek(); }); }
-  int read() override { return _isLocked ? -1 : locked([&] { return uart.read(); }); }
+  int available() override {
+    return locked([&] { return uart.available(); });
+  }
+  int peek() override {
+    return _isLocked ? -1 : locked([&] { return uart.peek(); });
+  }
+  int read() override {
+    return _isLocked ? -1 : locked([&] { return uart.read(); });
+  }
   int availableForWrite() override {  // that is all it says
     return locked([&] { return uart.room() > 0 ? 1 : 0; });
   }

@@ -1,6 +1,6 @@
 // github.com/arduino/ArduinoCore-samd 1.8.14 (993398c): cores/arduino/Uart.h and .cpp, SERCOM.cpp, main.cpp.
-// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48), end() resets the UART
-// at once (77). Adafruit's core for the SAMD51 (1.7.17, 26c39c0) does the same; its buffer is larger.
+// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48), end() resets
+// the UART at once (77). Adafruit's core for the SAMD51 (1.7.17, 26c39c0) does the same; its buffer is larger.
 #pragma once
 
 #include "Api.h"

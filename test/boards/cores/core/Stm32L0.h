@@ -1,8 +1,8 @@
 // github.com/GrumpyOldPizza/ArduinoCore-stm32l0 1.6.18 (b1cf1cd): cores/arduino/HardwareSerial.h, Uart.h;
 // system/STM32L0xx/Source/stm32l0_uart.c. Characters with errors are discarded (stm32l0_uart.c:529). begin()
 // ends an open port, end() of a closed one does nothing (Uart.cpp:85, 103). The formats are made of names that
-// Arduino.h does not bring in. This port does not call back (Uart.cpp:367 takes a Callback): as a HardwareSerial & it is
-// polled. extras/host's calls back.
+// Arduino.h does not bring in. This port does not call back (Uart.cpp:367 takes a Callback): as a HardwareSerial & it
+// is polled. extras/host's calls back.
 #pragma once
 
 #include "../Stream.h"

@@ -1,6 +1,7 @@
 // github.com/arduino/ArduinoCore-renesas 1.5.3 (99f8ee4): cores/arduino/Serial.h and .cpp, Arduino.h. It cannot say how
-// much it takes, and waits until the last character is under way (Serial.cpp:133), which end() cuts off. Characters with
-// errors are discarded (71), begin() clears what waits (292). end() reads a null pointer if the port was never opened.
+// much it takes, and waits until the last character is under way (Serial.cpp:133), which end() cuts off. Characters
+// with errors are discarded (71), begin() clears what waits (292). end() reads a null pointer if the port was never
+// opened.
 #pragma once
 
 #include "Api.h"

@@ -85,8 +85,8 @@ bool check(bool good, const char *file, int line, const char *text);
 
 #define DOCTEST_NAMED(name, line) DOCTEST_JOIN(name, line)
 #define DOCTEST_JOIN(a, b) a##b
-#define DOCTEST_TEST(function, instance, name)     \
-  static void function();                          \
+#define DOCTEST_TEST(function, instance, name)       \
+  static void function();                            \
   static doctest::TestCase instance(name, function); \
   static void function()
 
@@ -96,9 +96,9 @@ bool check(bool good, const char *file, int line, const char *text);
   static_cast<void>(doctest::check(!static_cast<bool>(__VA_ARGS__), __FILE__, __LINE__, "not " #__VA_ARGS__))
 #define REQUIRE(...) \
   (doctest::check(static_cast<bool>(__VA_ARGS__), __FILE__, __LINE__, #__VA_ARGS__) ? void() : doctest::giveUp())
-#define REQUIRE_FALSE(...) \
-  (doctest::check(!static_cast<bool>(__VA_ARGS__), __FILE__, __LINE__, "not " #__VA_ARGS__) ? void() : doctest::giveUp())
-#define FAIL(...) \
-  (doctest::check(false, __FILE__, __LINE__, doctest::join(__VA_ARGS__).c_str()), doctest::giveUp())
+#define REQUIRE_FALSE(...)                                                                           \
+  (doctest::check(!static_cast<bool>(__VA_ARGS__), __FILE__, __LINE__, "not " #__VA_ARGS__) ? void() \
+                                                                                            : doctest::giveUp())
+#define FAIL(...) (doctest::check(false, __FILE__, __LINE__, doctest::join(__VA_ARGS__).c_str()), doctest::giveUp())
 #define INFO(...) const doctest::Info DOCTEST_NAMED(info, __LINE__)([&] { return doctest::join(__VA_ARGS__); })
 #define CAPTURE(value) INFO(#value " := ", value)
