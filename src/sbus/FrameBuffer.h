@@ -35,11 +35,11 @@ class FrameBuffer {
 
   /// Returns the index of the first byte after the newest gap, 0..filled(), or Nowhere.
   int gapAt() const { return _gapAt; }
-  Silence gap() const { return _gap; }  ///< how certain that gap is: Likely, Gap or Wide
+  Silence gap() const { return _gap; }  ///< how certain that gap is: Late, Likely, Gap or Wide
   /// Returns true if a wide gap comes before the incoming frame.
   bool beginsWide() const { return _gapAt == 0 ? isWide(_gap) : _beginsWide; }
   /// Returns how certain the gaps inside a frame at the beginning are, without the newest: Gap if all are certain,
-  /// Likely or Wide if one is that, Unknown if there are none.
+  /// Late, Likely or Wide if one is that, Unknown if there are none.
   Silence inside() const { return _inside; }
   /// Marks a gap before the next byte.
   void markGap(Silence gap) { markGap(gap, _filled); }

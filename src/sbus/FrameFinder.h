@@ -208,6 +208,7 @@ class FrameFinderOf : private Events {
   static constexpr int JudgedWorth = 4;            // a header that judge() rejects costs as much as four without an end
   static constexpr int FarOff = FrameSize24 + 1;   // characters: the most that _expectedAt counts
   static constexpr uint32_t Unsteady = 2500;       // us: a frame is late by less, parts of two by 4 ms or more
+  static constexpr uint32_t LongestFrame = 5000;   // us, with some reserve for a period that is not steady
   static constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter comes from late polls
 
   // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
@@ -296,18 +297,18 @@ class FrameFinderOf : private Events {
     if (_timing.template foundTooFew<Format>(_found, missing, _counters.period, _sizeCheck.isStretched())) {
       if (LineTiming::ClockRuns && static_cast<int>(_found) >= missing) {
         _lossFollows = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
-      } else if (isLateOnly()) {
-        _sizeCheck.stretchedFrame();
       } else {
-        _buffer.markGap(Silence::Likely);
+        _buffer.markGap(isLate() ? Silence::Late : Silence::Likely);
       }
     }
   }
 
-  // Returns true if characters that came too late to follow those before them are the rest of the frame that is due:
-  // its sender stretches frames, and the rest of another frame would come a period later.
-  bool isLateOnly() const {
-    return LineTiming::ClockRuns && _sizeCheck.isStretched() && isDue() && isInTime(_timing.lastPoll(), 0);
+  // Returns true if characters that came too late to follow those before them may belong to the frame that is due,
+  // whose sender then stretches it: those of the frame after it come later, as the period is longer than a frame and a
+  // half.
+  bool isLate() const {
+    const uint32_t since = _timing.lastPoll() - _completeAfter;
+    return LineTiming::ClockRuns && isDue() && static_cast<int32_t>(since + LongestFrame - 2 * _counters.period) < 0;
   }
 
   // Drops the incoming frame, because the port has lost bytes after it.
@@ -398,6 +399,10 @@ class FrameFinderOf : private Events {
         countUp(_counters.rejectedByLength);
         Events::rejected(start, verdict.why());
         step = verdict.skip();
+        if (LineTiming::ClockRuns && step == Size && _buffer.gap() == Silence::Late && start == _expectedAt) {
+          _expectedAt = static_cast<int8_t>(start + Size);
+          _completeAfter = _timing.endedAfter(0);
+        }
         worth = JudgedWorth;
       }
       // At most 24 headers of a poll are judged, as many as characters follow a frame's header.

@@ -17,6 +17,7 @@ constexpr uint8_t MostIdleCharacters = 4;
 /// the other.
 enum class Silence : uint8_t {
   Unknown,  ///< perhaps none
+  Late,     ///< doubtful: within a frame that is due, whose sender may stretch it
   Likely,   ///< doubtful: a gap, unless loop() was blocked
   Gap,      ///< certain: between two frames, or within one that its sender stretches
   Wide,     ///< certain, and longer than a sender is silent within a frame: between two frames

@@ -288,7 +288,7 @@ const std::vector<Condition> &conditions() {
   static const std::vector<Condition> list = [] {
     std::vector<Condition> all = impairedLines();
     for (const std::vector<Condition> &more :
-         {companyLines(), joinLines(), senderLines(), lateCallLines(), maskedLines()}) {
+         {companyLines(), joinLines(), senderLines(), stretchedLines(), lateCallLines(), maskedLines()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;

@@ -40,6 +40,8 @@ const std::vector<Condition> &joinLines();
 // ... senders that are not exact: frames that are spread or interrupted, noise before them, another receiver in mid
 // frame.
 const std::vector<Condition> &senderLines();
+// Returns those that stretch frames, each with each period of loop().
+const std::vector<Condition> &stretchedLines();
 
 // Sums up lines with `frames` frames, or a few more, for each of these sticks. A line's setup is one of these, drawn
 // like all that differs: the lines are independent of each other.

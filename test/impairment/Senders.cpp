@@ -72,10 +72,14 @@ Run interrupted(unsigned count) {
   run.line.silences.count = count;
   return run;
 }
-Run interruptedAfter(unsigned characters, uint32_t us) {
-  Run run = interrupted(1);
-  run.line.silences.after = characters;
+Run interruptedFor(uint32_t us, unsigned count) {
+  Run run = interrupted(count);
   run.line.silences.leastUs = run.line.silences.mostUs = us;
+  return run;
+}
+Run interruptedAfter(unsigned characters, uint32_t us) {
+  Run run = interruptedFor(us, 1);
+  run.line.silences.after = characters;
   return run;
 }
 void interruptedElsewhere(Run &run, Random &random) {
@@ -187,5 +191,27 @@ const std::vector<Condition> &senderLines() {
       {"called back: another receiver in mid frame, within 3 ms", Run(), called(), None, {}, swappedSoon},
       {"called back: another receiver in mid frame, after 3 ms or more", Run(), called(), NeverWrong, {}, swappedLater},
   };
+  return lines;
+}
+
+// A port that delivers each character at once, and sees the most of what a sender does within a frame.
+const std::vector<Condition> &stretchedLines() {
+  static const std::vector<Condition> lines = [] {
+    std::vector<Condition> all;
+    for (uint32_t loopMs = 1; loopMs <= 5; loopMs++) {
+      const auto add = [&](const std::string &name, Run run) {
+        run.line.frames = 500;
+        all.push_back({name + ", loop of " + std::to_string(loopMs) + " ms",
+                       run,
+                       {{9000, 1000 * loopMs, Pico, 256}, {14000, 1000 * loopMs, Pico, 256}},
+                       None,
+                       ordinarySticks()});
+      };
+      add("clean, 200 us from character to character", every(200));
+      add("clean, 235 us from character to character", every(235));
+      add("clean, 3 silences of 480 us in each frame", interruptedFor(480, 3));
+    }
+    return all;
+  }();
   return lines;
 }

@@ -25,10 +25,14 @@ struct Case {
   Silence inside = Silence::Unknown;  // the longest gap inside before the newest
   bool beginsWide = false;
   bool isGapWide = false;
+  bool isGapLate = false;
 
   template <typename Format = Frame16>
   Candidate<Format> candidate() const {
-    const Silence gap = isGapWide ? Silence::Wide : isGapCertain ? Silence::Gap : Silence::Likely;
+    const Silence gap = isGapLate      ? Silence::Late
+                        : isGapWide    ? Silence::Wide
+                        : isGapCertain ? Silence::Gap
+                                       : Silence::Likely;
     const bool follows = isInSync && offBy == 0;
     const uint8_t variant = variantOfEnd(bytes[24]);
     return {bytes.data(), static_cast<int>(bytes.size()),
@@ -111,6 +115,31 @@ TEST_CASE(
         CHECK(judged(row.given, stretching()) == row.inside);
         CHECK(judged(row.given) == row.inside);
       }
+    }
+  }
+}
+
+TEST_CASE(
+    "late: a frame whose characters only came late is delivered, if it is due and the next may follow it directly") {
+  constexpr Silence None = Silence::Unknown;
+  for (int gapAt = 1; gapAt < 25; gapAt++) {
+    CAPTURE(gapAt);
+    const std::string rejected = "gap inside " + std::to_string(gapAt);
+    const auto lateAt = [gapAt](const Bytes &bytes, Silence inside, int offBy = 0) {
+      return Case{bytes, gapAt, offBy, offBy == 0, true, true, inside, false, false, true};
+    };
+    const Bytes header = Plain + Bytes{0x0F}, other = Plain + Bytes{0x55};
+    for (const Silence inside : {None, Silence::Late}) {
+      CHECK(judged(lateAt(Plain, inside), stretching()) == "aligned");
+      CHECK(judged(lateAt(header, inside), stretching()) == "aligned");
+      CHECK(judged(lateAt(Plain, inside)) == "gap inside 25");  // the first such frame
+      CHECK(judged(lateAt(header, inside)) == "gap inside 25");
+      CHECK(judged(lateAt(other, inside), stretching()) == rejected);
+      CHECK(judged(lateAt(Plain, inside, 1), stretching()) == rejected);
+    }
+    for (const Silence inside : {Silence::Likely, Silence::Gap}) {
+      CHECK(judged(lateAt(Plain, inside), stretching()) == "wait");
+      CHECK(judged(lateAt(header, inside), stretching()) == rejected);
     }
   }
 }

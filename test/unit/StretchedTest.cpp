@@ -257,3 +257,32 @@ TEST_CASE("a gap inside that is only likely rejects, and shows all the same that
   CHECK(line.stretched() == "it");
   CHECK(line.whole() == "it");
 }
+
+TEST_CASE(
+    "where no call sees a gap: the second frame that comes late, but when it is due, is delivered with its last byte, "
+    "and so are all after it") {
+  constexpr uint32_t LoopUs = 3000, PeriodUs = 3 * LoopUs;
+  // In the first call some characters of a frame, in the second 15, and in the third the rest: each takes 200 us. All
+  // calls find bytes. `missed`: whole periods without a character after the first call.
+  const auto late = [](Line &line, size_t first, uint32_t missed = 0) {
+    const Frame begun = neutralFrame(line.number), frame = neutralFrame(line.number += missed);
+    line.number++;
+    Frames found = line.block(LoopUs).poll(part(begun, 0, first));
+    found = found + line.block(LoopUs + missed * PeriodUs).poll(part(frame, first, first + 15));
+    return line.named(found + line.block(LoopUs).poll(part(frame, first + 15)));
+  };
+  for (size_t first = 2; first <= 9; first++) {
+    for (const uint32_t missed : {1u, 2u, 9u}) {
+      INFO("first ", first, ", missed ", missed);
+      Line line;
+      for (unsigned frames = 0; frames < 50; frames++) {
+        REQUIRE(line.whole(PeriodUs - 25 * Line::CharacterUs) == "it");
+      }
+      CHECK(late(line, first) == "nothing");
+      for (unsigned frames = 0; frames < 5; frames++) {
+        CHECK(late(line, first) == "it");
+      }
+      CHECK(late(line, first, missed) == "nothing");  // parts of two frames
+    }
+  }
+}
