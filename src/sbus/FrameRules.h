@@ -156,12 +156,25 @@ SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
   return c.bytes[c.size()] == c.end() && !(c.distance == 1 && c.gapAt == 0);
 }
 
+/// Returns true if this character, and those three and six characters further on, may be the IDs of slots of one group:
+/// an S.BUS2 frame has ended before them.
+SBUS_IN_LINE bool areSlots(const uint8_t *at) {
+  return isSlotId(*at) && (((at[0] ^ at[SlotSize]) | (at[0] ^ at[2 * SlotSize])) & GroupOfId) == 0;
+}
+
 /// Returns the index of a header after an end byte inside it, where the next frame may begin; otherwise Size. Any end
-/// byte counts while the line's variant is unknown.
+/// byte counts while the line's variant is unknown, and so do three slots (54 bytes on an AVR, 80 on a Cortex-M0+).
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
-  const uint8_t variant = c.hasLineVariant() || Format::Variants == 1 ? c.variant : UnknownVariant;
-  return innerHeader(c.bytes, Format::Size, variant);
+  if (c.hasLineVariant() || Format::Variants == 1) {
+    return innerHeader(c.bytes, Format::Size, c.variant);
+  }
+  for (int i = Format::Size - 2 * SlotSize; i > 0; i--) {
+    if (areSlots(c.bytes + i)) {
+      return i;
+    }
+  }
+  return innerHeader(c.bytes, Format::Size, UnknownVariant);
 }
 
 /// Returns true if a gap after it would still prove that it is aligned. It would not after the short rest of one frame

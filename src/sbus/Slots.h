@@ -41,6 +41,8 @@ constexpr uint8_t slotId(uint8_t number) {
 /// are the group that the previous end byte announced; some home-made sensors send another group's bits.
 constexpr bool isSlotId(uint8_t byte) { return (byte & 0x07) == 0x03; }
 
+constexpr uint8_t GroupOfId = 0x1F;  ///< bits of an ID that are the same in all of a group
+
 /// Returns the number, 0..31, of the slot with this ID; undefined if isSlotId(id) is false.
 constexpr uint8_t slotOfId(uint8_t id) {
   return static_cast<uint8_t>(id >> 7 | (id & 0x40) >> 5 | (id & 0x20) >> 3 | (id & 0x10) >> 1 | (id & 0x08) << 1);

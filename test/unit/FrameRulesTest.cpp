@@ -285,6 +285,27 @@ TEST_CASE("falseSync: out of sync an end byte and a header inside reject, up to 
   CHECK(judged({Plain + Bytes{0x0F}, Far, 30}) == "accept");
 }
 
+TEST_CASE("slots inside: before the first frame, three slots of one group in a row reject, up to the first of them") {
+  for (uint8_t group = 0; group < 4; group++) {
+    for (size_t place = 1; place < 20; place++) {
+      for (size_t third = 0; third < 32; third++) {
+        INFO("group ", unsigned{group}, ", place ", place, ", third ", third);
+        Bytes bytes = Plain + Bytes{0x0F};
+        bytes[place] = slotId(static_cast<uint8_t>(8 * group));
+        bytes[place + 3] = slotId(static_cast<uint8_t>(8 * group + 1));
+        const size_t at = place + 6;
+        const bool isInside = at < 23;
+        bytes[isInside ? at : 22] = isInside ? slotId(static_cast<uint8_t>(third)) : bytes[22];
+        const bool areSlots = isInside && third / 8 == group;
+        CHECK(judged({bytes, Far, 0, false, false}) == (areSlots ? "false sync " + std::to_string(place) : "aligned"));
+        CHECK(judged({bytes, Far, 0, false, true}) == "aligned");  // the line's variant is known
+        CHECK(judged({bytes, 0, 0, false, false}) == "aligned");   // a gap comes before it
+        CHECK(judged({bytes, 25, 0, false, false}) == "aligned");  // or follows
+      }
+    }
+  }
+}
+
 TEST_CASE(
     "waits: a gap after a frame may prove that it is aligned, unless a short part may be the rest of the frame "
     "before") {
