@@ -124,7 +124,7 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) 
 // If the port calls meanwhile, what it has found is planned afterwards.
 void SBus2Sensor::receive(bool fromCallback) {
   while (_port.enter()) {
-    poll(sbus::ListeningPort::Calls && fromCallback);
+    poll(fromCallback);
     plan(fromCallback);  // inlined: on an AVR the polls must not be farther apart
     if (!_port.leave()) {
       return;

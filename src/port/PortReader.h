@@ -45,16 +45,16 @@ class PortReader {
   // Polls, and once more if the port has called back meanwhile.
   void pollAll(bool fromCallback) {
     while (_port.enter()) {
-      poll(Port::Calls && fromCallback);
+      poll(fromCallback);
       if (!_port.leave()) {
         return;
       }
-      fromCallback = true;
     }
   }
 
   // Reads what is pending when it is called: later bytes may follow a loss.
   void poll(bool fromCallback) {
+    fromCallback = Port::Calls && fromCallback;
     const uint32_t asked = Port::now();
     const int found = _port.available();
     uint32_t now = asked;
