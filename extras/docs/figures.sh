@@ -62,12 +62,26 @@ check_pin() {
   verdict $? "a line on a pin: $shares %"
 }
 
+# The lines of receiver.md: a row is found by its first cell.
+print_stretched() {
+  for only in ', loop of ' 'called back: clean, '; do
+    SUMMARY=1 print impairment ONLY="$only" || exit 1
+  done >"$out/stretched" 2>"$out/stretched.err"
+}
+check_stretched() {
+  print_stretched
+  grep -E '^[|] .*(, loop of |called back: )' receiver.md >"$out/stretched.page" &&
+    ! grep -vxF -f "$out/stretched" "$out/stretched.page"
+  verdict $? "receiver.md, stretched frames"
+}
+
 if [ "${1:-}" = check ]; then
   unset FRAMES SEED ONLY FULL SUMMARY BOUNDS RATES WITHOUT
   printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
   check size
   check bench
   check impairment 'Fast S.Bus, bursts'
+  check_stretched
   check_times
   check_pin
   ../../test/impairment/without.sh current
@@ -87,6 +101,9 @@ for name in size bench impairment; do
     END { exit !found }' "$out/$name" $page >"$out/page" || exit 1
   cp "$out/page" $page
 done
+print_stretched
+awk -F ' [|] ' 'NR == FNR { printed[$1] = $0; next } /^[|] / && $1 in printed && !/^[|] (line|---)/ { $0 = printed[$1] } { print }' \
+  "$out/stretched" receiver.md >"$out/page" && cp "$out/page" receiver.md
 awk -F ' [|] ' '$4 >= 100' "$out/impairment" | grep '^| ' | grep -vxF -f $page &&
   echo "$page lacks these lines, with 100 wrong frames or more: add them." >&2
 ../../test/impairment/without.sh table

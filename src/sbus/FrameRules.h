@@ -105,15 +105,6 @@ SBUS_IN_LINE bool isHeaderNext(const Candidate<Format> &c) {
   return (c.bytes[c.size()] & c.line().headerMask) == HeaderByte;
 }
 
-/// Returns true if its characters only came late, and it ends where the next frame may begin: the rest of another frame
-/// would come a period later. Without this rule two in three frames of 235 us a character are missed at a loop() of 3
-/// ms.
-template <typename Format>
-SBUS_IN_LINE bool isOnlyLate(const Candidate<Format> &c) {
-  return LineTiming::ClockRuns && c.gap == Silence::Late && c.inside <= Silence::Late &&
-         (c.count == Format::Size || isHeaderNext(c));
-}
-
 /// Returns true if only what follows can prove it: while the line variant is unknown.
 template <typename Format>
 SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
@@ -175,6 +166,15 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
     }
   }
   return innerHeader(c.bytes, Format::Size, UnknownVariant);
+}
+
+/// Returns true if its characters only came late, and it ends where the next frame may begin: the rest of another frame
+/// would come a period later. It must not look like the end of one frame and the start of the next: in false sync each
+/// frame has a gap inside.
+template <typename Format>
+SBUS_IN_LINE bool isOnlyLate(const Candidate<Format> &c) {
+  return LineTiming::ClockRuns && c.gap == Silence::Late && c.inside <= Silence::Late &&
+         (c.count == Format::Size || isHeaderNext(c)) && falseSyncAt(c) == Format::Size;
 }
 
 /// Returns true if a gap after it would still prove that it is aligned. It would not after the short rest of one frame

@@ -137,6 +137,7 @@ TEST_CASE(
       CHECK(judged(lateAt(other, inside), stretching()) == rejected);
       CHECK(judged(lateAt(Plain, inside, 1), stretching()) == rejected);
     }
+    CHECK(judged(lateAt(Failsafe, None), stretching()) == "wait");  // it allows a false sync
     for (const Silence inside : {Silence::Likely, Silence::Gap}) {
       CHECK(judged(lateAt(Plain, inside), stretching()) == "wait");
       CHECK(judged(lateAt(header, inside), stretching()) == rejected);
