@@ -147,10 +147,10 @@ SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
   return c.bytes[c.size()] == c.end() && !(c.distance == 1 && c.gapAt == 0);
 }
 
-/// Returns true if this character, and those three and six characters further on, may be the IDs of slots of one group:
-/// an S.BUS2 frame has ended before them.
+/// Returns true if this character, and those three and six characters further on, may be the IDs of slots of one group,
+/// the first two in turn: an S.BUS2 frame has ended before them.
 SBUS_IN_LINE bool areSlots(const uint8_t *at) {
-  return isSlotId(*at) && (((at[0] ^ at[SlotSize]) | (at[0] ^ at[2 * SlotSize])) & GroupOfId) == 0;
+  return isSlotId(*at) && at[SlotSize] == (*at | 0x80) && *at < 0x80 && ((*at ^ at[2 * SlotSize]) & GroupOfId) == 0;
 }
 
 /// Returns the index of a header after an end byte inside it, where the next frame may begin; otherwise Size. Any end
