@@ -218,8 +218,8 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 /// gap must follow.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c) {
-  const bool isPlaced = c.distance == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
-  if (!isPlaced || !c.hasLineVariant()) {
+  const bool isExpected = c.distance == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
+  if (!isExpected || !c.hasLineVariant()) {
     return Verdict::reject(Rejection::NotAtGap);
   }
   if (c.gapAt == Format::Size || (c.count > Format::Size && isHeaderNext(c))) {
@@ -267,7 +267,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, FrameSizeCheck<Format> &s
   // It must end at a gap, before a header, or as the line's frames end.
   const bool isGapAfter = c.isGapAfter();
   bool isAtGap = isGapAfter || c.isGapBefore();
-  bool isPlaced = isAtGap && !isDoubtfulTail(c, sizeCheck);
+  bool isProved = isAtGap && !isDoubtfulTail(c, sizeCheck);
   bool isInTurn = false;
   if (!isGapAfter) {
     if (c.count <= c.size()) {
@@ -278,7 +278,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, FrameSizeCheck<Format> &s
       // A rejection here skips two characters: if both are headers, either may be the true one.
       if (hasStray(c, sizeCheck)) {
         isAtGap = true;
-        isPlaced = true;
+        isProved = true;
       } else if (c.count == c.size() + 1 && mayHaveStray(c)) {
         return Verdict::wait();  // for a gap, or a slot after a break (20 bytes less than waiting for these only)
       } else if (c.hasLineVariant()) {
@@ -297,11 +297,11 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, FrameSizeCheck<Format> &s
     return Verdict::reject(Rejection::NotAtGap);
   }
   // Out of sync it may be the end of one frame and the start of the next.
-  const int inner = isPlaced || c.isInSync ? Format::Size : falseSyncAt(c);
+  const int inner = isProved || c.isInSync ? Format::Size : falseSyncAt(c);
   if (inner < Format::Size) {
     return silenceMayProve(c, inner) ? Verdict::wait() : Verdict::reject(Rejection::FalseSync, inner);
   }
-  return Verdict::accept(isPlaced || c.distance == 0);
+  return Verdict::accept(isProved || c.distance == 0);
 }
 
 }  // namespace rules
