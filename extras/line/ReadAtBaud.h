@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <iterator>
+#include <string>
 #include <string_view>
 
 namespace line {
@@ -27,17 +28,23 @@ class ReadAtBaud {
 
   // Returns the baud rate; 0 if it is none of these, or not known yet.
   unsigned long baud() const {
-    const auto found =
-        std::find_if(std::begin(_rates), std::end(_rates), [this](const Rate &rate) {
-          return rate.best >= FramesLeast && 2 * rate.most * rate.frames >= _at;
-        });
+    const auto found = std::find_if(std::begin(_rates), std::end(_rates), [this](const Rate &rate) {
+      return rate.best >= FramesLeast && 2 * rate.most * rate.frames >= _at;
+    });
     return found == std::end(_rates) ? 0 : found->baud;
   }
 
+  // Returns the finding and the remedy, as sentences.
+  static std::string finding(unsigned long baud) {
+    return "Wrong baud rate: these are frames of S.Bus that a port has read at " + std::to_string(baud) + " baud.";
+  }
+  static constexpr const char *Remedy =
+      "Read the port with sbus, which sets 100000 baud, 8E2: a terminal program often cannot.";
+
  private:
-  static constexpr unsigned NoTextLeast = 4;  // bytes of a frame that no text has
+  static constexpr unsigned NoTextLeast = 4;   // bytes of a frame that no text has
   static constexpr unsigned FramesLeast = 10;  // one after the other
-  static constexpr unsigned ApartMost = 150;  // bytes from a header to one that counts: two frames and telemetry
+  static constexpr unsigned ApartMost = 150;   // bytes from a header to one that counts: two frames and telemetry
 
   // What may be a header; the payload has some.
   struct Header {
@@ -78,7 +85,7 @@ class ReadAtBaud {
   Rate _rates[2] = {
       {115200, {"\x00\x0C\x10\x1C\x2C\x4C\x60\x6C\x70\xC0\xC1\xC2\xE0\xE3\xF0", 15}, "\x1F\x5F", 0xFF, 20, 45},
       {57600, "\x20\x22\x24\x26\x44\x46\xD3\xE0\xE4\xF0\xF2\xF4\xFC\xFD\xFE\xFF", "\x23\x37", 0x3F, 10, 24}};
-  uint64_t _at = 0;    // bytes
+  uint64_t _at = 0;      // bytes
   uint64_t _noText = 0;  // of these, none of a text's
   char _last = 0;
 };

@@ -50,7 +50,9 @@ TEST_CASE("S.Bus read at 115200 and 57600 baud is recognised; at other rates, an
       while (file.size() < least) {
         file += file;
       }
-      CHECK(line::readFileHead(file.substr(0, line::FileHeadMax), "file").kind == line::FileKind::Bytes);
+      const line::FileHead head = line::readFileHead(file.substr(0, line::FileHeadMax), "file");
+      CHECK(head.kind == line::FileKind::Bytes);
+      CHECK(head.damage == "Wrong baud rate: these are frames of S.Bus that a port has read at 57600 baud.");
     }
   }
   for (const unsigned long baud : {100000ul, 200000ul, 38400ul, 76800ul, 230400ul}) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "line/ReadAtBaud.h"
 #include "line/capture/Capture.h"
 #include "line/file/BytesReader.h"
 #include "line/file/DecodedReader.h"
@@ -199,6 +200,10 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
       return wrong(reader.why());
     }
     head.note = reader.note();
+    if (reader.readAtBaud() != 0 && !reader.hasFrames()) {
+      head.damage = ReadAtBaud::finding(reader.readAtBaud());
+      head.damageRemedy = ReadAtBaud::Remedy;
+    }
     if (!mangled.what.empty()) {
       head.note += "; " + mangled.what + "; " + mangled.remedy;
       head.damage = "Changed bytes: " + mangled.what + ".";
