@@ -114,7 +114,7 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
                            : areBytes                  ? "bytes"
                            : kind == FileKind::Json    ? "JSON lines"
                            : kind == FileKind::Table   ? "a table of frames"
-                           : kind == FileKind::Decoded ? "what sbus decode printed"
+                           : kind == FileKind::Decoded ? "what sbus printed"
                                                        : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
