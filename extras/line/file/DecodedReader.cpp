@@ -83,7 +83,9 @@ std::string DecodedReader::line(std::string_view text, std::deque<Character> &ch
   }
   const bool areOthers = second == "no", areCharacters = !_columns.empty() && _columns.front() == "byte";
   if ((_columns.empty() && !areOthers) || second == "byte") {
-    return {};
+    return _any && parseNumber(first, ms)
+               ? "the row is cut: bytes and what they are, as sbus hex prints them, are expected"
+               : "";
   }
   if (!parseNumber(first, ms) || std::abs(ms) * 1000 > static_cast<double>(RecordingTimeMaxUs)) {
     return quoted(first) + " is not a time in milliseconds";

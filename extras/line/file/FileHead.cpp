@@ -82,7 +82,7 @@ FileKind kindOfText(std::string_view text) {
       withoutBlanks(withoutBlanks(begin.substr(1)).substr(1)).substr(0, 6) == "\"type\"") {
     return FileKind::Json;  // jq -s makes one array of the lines, which is rejected
   }
-  if (DecodedReader::reads(begin)) {
+  if (DecodedReader::reads(text)) {
     return FileKind::Decoded;
   }
   if (frameTable(text) == FrameTable::Yes) {
