@@ -175,7 +175,7 @@ for source in sim sim:24 sim:32 sim:noise=60; do
   # A byte in hexadecimal does not tell one error from the other.
   "$sbus" hex $source --values --simulated-time --seconds 2 | sed 's/- \([0-9 ]*\)parity/- \1parity or framing/' >"$work/values.txt"
   "$sbus" hex "$work/values.txt" --values 2>"$work/err" | cmp - "$work/values.txt" && [ "$(grep -c 'end 00' "$work/values.txt")" -gt 99 ] &&
-    head -n 1 "$work/values.txt" >"$work/wanted" && "$sbus" hex "$work/wanted" --values | cmp - "$work/wanted"
+    grep -m 1 ' frame' "$work/values.txt" >"$work/wanted" && "$sbus" hex "$work/wanted" --values | cmp - "$work/wanted"
   verdict $? "what hex --values prints of $source is read again, with its times"
 done
 head -c 150 "$work/values.txt" >"$work/wrong.txt"

@@ -82,10 +82,9 @@ std::string DecodedReader::line(std::string_view text, std::deque<Character> &ch
     return {};
   }
   const bool areOthers = second == "no", areCharacters = !_columns.empty() && _columns.front() == "byte";
-  if ((_columns.empty() && !areOthers) || second == "byte") {
-    return _any && parseNumber(first, ms)
-               ? "the row is cut: bytes and what they are, as sbus hex prints them, are expected"
-               : "";
+  if (second == "byte" || (_columns.empty() && !areOthers)) {
+    const bool isCut = _any && second != "byte" && text.substr(0, 1) == " " && parseNumber(first, ms);
+    return isCut ? "the row is cut: bytes and what they are, as sbus hex prints them, are expected" : "";
   }
   if (!parseNumber(first, ms) || std::abs(ms) * 1000 > static_cast<double>(RecordingTimeMaxUs)) {
     return quoted(first) + " is not a time in milliseconds";
