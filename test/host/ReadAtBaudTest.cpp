@@ -3,6 +3,7 @@
 
 #include <random>
 #include <string>
+#include <vector>
 
 #include "line/ReadAtBaud.h"
 #include "line/Source.h"
@@ -73,7 +74,7 @@ TEST_CASE("ten frames in a row are needed, each of a frame's length, and no text
     line::ReadAtBaud found;
     for (unsigned i = 0; i < headers; i++) {
       found.put(header);
-      for (unsigned at = 1; at < size + (i % every == every - 1 ? 30 : 0); at++) {
+      for (unsigned at = 1; at < size + (i % every == every - 1 ? 60 : 0); at++) {
         found.put(at == 3 && every < 1000 ? header : at < size ? rest : uint8_t{0xFA});
       }
     }
@@ -93,6 +94,26 @@ TEST_CASE("ten frames in a row are needed, each of a frame's length, and no text
   CHECK(baudOf('c', 99, 16, ' ') == 0);  // text
   CHECK(baudOf(0x63, 99, 16, 0xE0, 4) == 57600);
   CHECK(baudOf(0x63, 99, 16, 0xE0, 2) == 0);
+}
+
+TEST_CASE("the line of an R7003SB is recognised, whose frames have a tail") {
+  const struct {
+    unsigned long baud;
+    std::vector<uint8_t> frame;
+  } rows[] = {
+      {115200, {0x1F, 0xC2, 0xD3, 0x13, 0xDE, 0xBC, 0xED, 0x0C, 0x80, 0x00, 0x02, 0x20, 0x00, 0x00, 0x0C, 0x40,
+                0x00, 0x01, 0x10, 0x80, 0x00, 0x02, 0x20, 0x00, 0x00, 0x10, 0x00, 0x03, 0x80, 0x33, 0x1C}},
+      {57600,
+       {0x63, 0xA5, 0xB4, 0x9A, 0x30, 0x81, 0x8C, 0x30, 0x30, 0x03, 0x30, 0x86, 0xA0, 0x30, 0x20, 0x06, 0x21, 0xD3}}};
+  for (const auto &row : rows) {
+    line::ReadAtBaud found;
+    for (int i = 0; i < 13; i++) {
+      for (const uint8_t byte : row.frame) {
+        found.put(byte);
+      }
+    }
+    CHECK(found.baud() == row.baud);
+  }
 }
 
 TEST_CASE("frames among ten times as many other bytes are no line at another rate") {
