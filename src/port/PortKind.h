@@ -70,7 +70,7 @@ unsigned enlarge(Port &, Rank<0>) {
 constexpr uint8_t idleCharacters(ReceiveNotice notice) {
   return notice == ReceiveNotice::EachCharacter || notice == ReceiveNotice::Fifo ? 0
          : notice == ReceiveNotice::Dma16                                        ? 1
-                                                                                 : MostIdleCharacters;
+                                                                                 : IdleCharactersMax;
 }
 
 // ---- Pins
