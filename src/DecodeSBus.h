@@ -6,7 +6,6 @@
 #include <Arduino.h>
 #include <limits.h>
 
-#include "SBusPort.h"
 #include "port/Clock.h"
 #include "port/ListeningPort.h"
 #include "port/PortReader.h"
@@ -347,3 +346,21 @@ using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 /// until a frame comes that is not lost, and while CH1 to CH4 of the sketch's array are 0. A FrSky receiver that is set
 /// to "No pulses" may send these frames, and does not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;
+
+namespace sbus {
+
+/// Returns true if begin() opens this port inverted; otherwise the line needs an inverter, or the sketch that opens the
+/// port inverts it. extras/docs/boards.md lists the result for each board.
+template <typename Port>
+constexpr bool inverts(Port &) {
+  return KindOf<Port>::Inverts;
+}
+
+/// Returns true if begin() can open this port inverted and uninverted, any number of times: on an ESP32 or ESP8266 on
+/// the pins given to DecodeSBus's constructor, or on the core's.
+template <typename Port>
+constexpr bool opensBothWays(Port &) {
+  return KindOf<Port>::BothWays;
+}
+
+}  // namespace sbus

@@ -4,7 +4,7 @@
 
 #include <Arduino.h>
 
-#include "SBusPort.h"
+#include "port/Port.h"
 #include "sbus/Frame.h"
 
 /// Sends to one serial port. A sketch needs two calls:

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "DecodeSBusTelemetry.h"
-#include "port/ReceiveNotice.h"
 #include "port/SlotTimer.h"
 #include "sbus2/FrameInterval.h"
 #include "sbus2/SlotSchedule.h"
@@ -74,17 +73,14 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   /// See DecodeSBusOf().
   template <typename Port>
   explicit SBus2Sensor(Port &port)
-      : Decoder(port), _stream(port), _start(start<Port>), _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {
+      : Decoder(port), _stream(port), _start(start<Port>), _notice(sbus::KindOf<Port>::Notice) {
     static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
   }
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
   SBus2Sensor(Port &port, int8_t rx, int8_t tx)
-      : Decoder(port, rx, tx),
-        _stream(port),
-        _start(start<Port>),
-        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {}
+      : Decoder(port, rx, tx), _stream(port), _start(start<Port>), _notice(sbus::KindOf<Port>::Notice) {}
 
   /// Remembers `port`, and uses its TX as the line itself, without a diode; RX stays free:
   /// `SBus2Sensor dSBus(Serial1, sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do

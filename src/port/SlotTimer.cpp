@@ -272,7 +272,7 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
     _mutex = xSemaphoreCreateMutexStatic(&mutexMemory);
   }
   const Lock lock;
-  limitBursts(port, HalfAFrame, Rank<1>());
+  Esp32::limitBursts(port, HalfAFrame, Rank<1>());
   number = Number::of(port);
   take(port, due, context);
   esp_timer_start_once(timer, Soonest);

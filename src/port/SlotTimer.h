@@ -7,7 +7,7 @@
 
 #include "../sbus/Barrier.h"
 #include "Port.h"
-#include "ReceiveNotice.h"
+#include "../sbus2/FrameEnd.h"
 #if defined(SBUS_RP2040)
 #include <hardware/sync.h>
 #include <hardware/timer.h>
@@ -16,7 +16,7 @@
 #include <freertos/FreeRTOS.h>
 #include <freertos/semphr.h>
 
-#include "FifoWatch.h"
+#include "../sbus2/FifoWatch.h"
 #endif
 
 namespace sbus {

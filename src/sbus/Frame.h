@@ -93,6 +93,13 @@ constexpr bool isEndByte(uint8_t byte) { return variantOfEnd(byte) != UnknownVar
 
 constexpr uint8_t NotInEndBytes = 0xC3;  ///< bits that are 0 in every end byte
 
+constexpr uint8_t SlotSize = 3;       ///< characters of a telemetry slot: ID, data0, data1 (sbus2/Slots.h)
+constexpr uint8_t GroupSizeMax = 33;  ///< characters between two frames: eight slots, and a break before and after each
+
+/// Returns true if `byte` may be the ID of a slot, the first of three characters that a sensor sends. Its next two bits
+/// are the group that the previous end byte announced; some home-made sensors send another group's bits.
+constexpr bool isSlotId(uint8_t byte) { return (byte & 0x07) == 0x03; }
+
 /// Returns true if the unused bits of this flags byte are 0.
 constexpr bool isFlagsByte(uint8_t byte) { return (byte & FlagsUnused) == 0; }
 

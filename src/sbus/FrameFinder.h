@@ -10,7 +10,6 @@
 #include "FrameBuffer.h"
 #include "FrameRules.h"
 #include "LineTiming.h"
-#include "Slots.h"
 
 namespace sbus {
 

@@ -8,7 +8,6 @@
 #include "FrameSizeCheck.h"
 #include "Frame.h"
 #include "LineTiming.h"
-#include "Slots.h"
 
 /// For functions that cost more to call than to inline.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline

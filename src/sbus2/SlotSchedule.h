@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "../sbus/Slots.h"
+#include "Slots.h"
 #include "Telemetry.h"
 
 namespace sbus {

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "../sbus/FrameFinder.h"
-#include "../sbus/Slots.h"
+#include "Slots.h"
 
 namespace sbus {
 

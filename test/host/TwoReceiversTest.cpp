@@ -17,7 +17,7 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 
 #include "cli/bridge/Bridge.h"
 #include "impairment/Settings.h"

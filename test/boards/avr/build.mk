@@ -64,7 +64,7 @@ $(patsubst %,$(OUT)/$1/sketch/%.o,$(call ours,$1)): $(OUT)/$1/sketch/%.o: $(HERE
 	@mkdir -p $$(@D)
 	$(AVR_CXX) $(WARNINGS) $$(DEPENDENCIES) $(OURS) -c $$< -o $$@
 
-$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(ROOT)/src/SBusUart.h $(HERE)/build.mk
+$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(ROOT)/src/SBusBoard.h $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	! $(AVR_CXX) $(OURS) -x c++ -include Arduino.h -S -o /dev/null $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error' $$@ | grep -q '$$(call reason,$1,$$*)'

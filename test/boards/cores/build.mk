@@ -12,7 +12,7 @@
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  examples that say why they cannot run on this board, and what to do
-#   OUT/CORE/SBusUart.ok   SBUS_UART and SBUS_FREE_PINS are as boards.md says
+#   OUT/CORE/SBusBoard.ok   SBUS_UART and SBUS_FREE_PINS are as boards.md says
 #   OUT/stm32l0/SlotTimer.ok  the timer of an STM32L0, which no stand-in has, compiles
 #   OUT/uno/NoServo.rejected  what the compiler says to Servos without the library Servo
 #   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
@@ -40,7 +40,7 @@ teensy32 := Teensy32 gnu++17
 teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
-# Further boards: what is compiled there differs by SBusUart.h alone, which a few examples show.
+# Further boards: what is compiled there differs by SBusBoard.h alone, which a few examples show.
 BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 nano33 stm32-nucleo stm32-no-usb stm32l0-0.0 uno xiao-esp32
 attiny := MegaAvr gnu++17 -DMEGATINYCORE -DONE_PORT
 attiny2 := MegaAvr gnu++17 -DMEGATINYCORE
@@ -94,7 +94,7 @@ esp32-3.0_usb := -DCONFIG_TINYUSB_HID_ENABLED=1
 teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-# All of them where ports and headers differ most. On a board that has no port to print, those that tell; SBusUart.ok says
+# All of them where ports and headers differ most. On a board that has no port to print, those that tell; SBusBoard.ok says
 # what else a board needs.
 WHOLE := esp32-3.0 sam stm32l0 teensy4
 examples = $(if $(filter $(WHOLE),$1),$(EXAMPLES),$(if $(call reason,$1,DecodeSBus),DecodeSBus Led Servos,$(if $(filter $(CORES),$1),DecodeSBus) \
@@ -106,7 +106,7 @@ ALL := $(CORES:%=$(OUT)/%/CoresTest) $(addprefix $(OUT)/,pico/SensorTest esp32-3
   stm32/SingleWire.rejected teensy4/SingleWire.rejected uno/NoServo.rejected \
   stm32/NoBackground.rejected pico/NoBackground.rejected teensy4/NoBackground.rejected) \
   $(foreach board,$(CORES) $(BOARDS),$(patsubst %,$(OUT)/$(board)/%,$(call compiled,$(board)) \
-  $(if $(filter $(BOARDS) avr esp%,$(board)),$(if $(call reason,$(board),Led),,SBusUart.ok))))
+  $(if $(filter $(BOARDS) avr esp%,$(board)),$(if $(call reason,$(board),Led),,SBusBoard.ok))))
 
 all: $(ALL)
 list:
@@ -187,7 +187,7 @@ $(OUT)/$1/README.o: $(OUT)/README.cpp
 $(OUT)/$1/on%Pins.o: $(ROOT)/examples/Diagnose/Diagnose.ino $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	(echo '#define SBUS_UART SBUS_PORT$$(if $$(filter Given,$$*),$$(comma) PINS_GIVEN)'; echo '#include <DecodeSBus.h>'; \
-	  echo '#include <SBusUart.h>'; echo '#include <DecodeSBusDiagnosis.h>'; echo 'namespace on$$*Pins {'; \
+	  echo '#include <SBusBoard.h>'; echo '#include <DecodeSBusDiagnosis.h>'; echo 'namespace on$$*Pins {'; \
 	  $(call with_its_ports,$1) $$<; echo '}') >$$(@:.o=.cpp)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -include Arduino.h -c $$(@:.o=.cpp) -o $$@
 $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
@@ -199,9 +199,9 @@ $(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(HERE)/build.mk
 	! $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error' $$@ | grep 'DecodeSBus: \|$$* needs ' | grep -q '$$(call reason,$1,$$*)'
 	[ $$$$(grep -c 'error' $$@) -eq $$$$(grep -c '#error' $$@) ]
-$(OUT)/$1/SBusUart.ok: $(ROOT)/src/SBusUart.h $(ROOT)/extras/docs/boards.md $(HERE)/build.mk
+$(OUT)/$1/SBusBoard.ok: $(ROOT)/src/SBusBoard.h $(ROOT)/extras/docs/boards.md $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
-	echo '#include <SBusUart.h>' | $(CXX) $$($1_board) -DSBUS_MAY_TAKE_USB -include Arduino.h -E -dM -x c++ - | \
+	echo '#include <SBusBoard.h>' | $(CXX) $$($1_board) -DSBUS_MAY_TAKE_USB -include Arduino.h -E -dM -x c++ - | \
 	  sed -nE 's/^#define SBUS_(PINS|UART) (.*[^ ]) *$$$$/\1 \2/p' | sort -r | sed 's/[A-Z]* //' | tr '\n' '|' >$$@.is
 	grep "^|.*$(call page,$1).* | \`$$$$(sed 's/|/` | `/; s/|$$$$/` |/' $$@.is)" $(ROOT)/extras/docs/boards.md >$$@
 $(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "ReceiveNotice.h"
+#include "FrameEnd.h"
 
 namespace sbus {
 
