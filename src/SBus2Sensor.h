@@ -3,7 +3,7 @@
 #pragma once
 
 #include "DecodeSBusTelemetry.h"
-#include "port/SlotTimer.h"
+#include "port/timer/SlotTimer.h"
 #include "sbus2/FrameInterval.h"
 #include "sbus2/SlotSchedule.h"
 

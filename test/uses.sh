@@ -25,7 +25,7 @@ for name in $functions; do
 done
 
 # What differs between cores stands in port/Core.h.
-chips=$(grep -lE '^#.*\b(__AVR__|ARDUINO_ARCH_[A-Za-z0-9]+|ESP32|ESP8266|CORE_TEENSY|__IMXRT1062__|PICO_SDK_VERSION_MAJOR)\b' ./*.h ./*.cpp */*.h */*.cpp |
+chips=$(grep -lE '^#.*\b(__AVR__|ARDUINO_ARCH_[A-Za-z0-9]+|ESP32|ESP8266|CORE_TEENSY|__IMXRT1062__|PICO_SDK_VERSION_MAJOR)\b' ./*.h ./*.cpp */*.h */*.cpp */*/*.h */*/*.cpp |
   grep -vxE '\./SBusBoard\.h|port/Core\.h|sbus/Text\.h')
 if [ -z "$chips" ]; then echo "ok uses: port/Core.h alone names cores"; else echo "FAILED uses: these name a core: $chips"; fi
 

@@ -188,7 +188,7 @@ class ListeningPort : public Port {
 
 #endif
 
-// loop() polls, or the port calls back. PolledByTimer does by a timer instead (Ticker.h), and has the same
+// loop() polls, or the port calls back. PolledByTimer does by a timer instead (timer/PolledByTimer.h), and has the same
 // members.
 struct PolledByLoop {
   // Keeps other contexts from polling, while it exists.

@@ -223,7 +223,8 @@ TEST_CASE("inverts() returns whether the port can invert") { CHECK(sbus::inverts
 
 #if defined(ESP32)
 TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimer finds that out") {
-  CHECK(sbus::CoreKind::Notice == sbus::ReceiveNotice::Unknown);
+  const sbus::ReceiveNotice notice = sbus::CoreKind::Notice;
+  CHECK(notice == sbus::ReceiveNotice::Unknown);
 }
 #endif
 

@@ -13,7 +13,7 @@
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  examples that say why they cannot run on this board, and what to do
 #   OUT/CORE/SBusBoard.ok   SBUS_UART and SBUS_FREE_PINS are as boards.md says
-#   OUT/stm32l0/SlotTimer.ok  the timer of an STM32L0, which no stand-in has, compiles
+#   OUT/stm32l0/Stm32L0.ok  the timer of an STM32L0, which no stand-in has, compiles
 #   OUT/uno/NoServo.rejected  what the compiler says to Servos without the library Servo
 #   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
 # `make list` names all of these.
@@ -86,6 +86,7 @@ xiao-esp32_page := XIAO ESP32
 
 # One of each timer that polls each millisecond; boards/avr runs an AVR's.
 TICKERS := pico esp32-3.0 samd teensy4
+chip = $(or $(filter Rp2040,$(1:pico=Rp2040)),$(filter Esp32,$(1:esp32-3.0=Esp32)),$(filter Samd,$(1:samd=Samd)),Teensy)
 ticks = $(or $(filter PicoAlarms,$(1:pico=PicoAlarms)),$(filter Esp32Task,$(1:esp32-3.0=Esp32Task)),Ticks)
 # One of each USB joystick, and what its core defines where the board or the user's choice has it.
 JOYSTICKS := avr esp32-3.0 pico teensy4
@@ -101,7 +102,7 @@ examples = $(if $(filter $(WHOLE),$1),$(EXAMPLES),$(if $(call reason,$1,DecodeSB
   $(if $(filter leonardo,$1),PwmIn)))
 compiled = $(foreach name,$(call examples,$1),$(name).$(if $(call reason,$1,$(name)),rejected,ok))
 ALL := $(CORES:%=$(OUT)/%/CoresTest) $(addprefix $(OUT)/,pico/SensorTest esp32-3.0/SensorTest teensy4/PolledSensorTest \
-  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/SlotTimer.ok $(TICKERS:%=%/BackgroundTest) \
+  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/Stm32L0.ok $(TICKERS:%=%/BackgroundTest) \
   teensy4/PreemptBackgroundTest esp32-3.0/TasksTest pico/PpmOutTest samd/PpmOutTest $(JOYSTICKS:%=%/JoystickTest) \
   stm32/SingleWire.rejected teensy4/SingleWire.rejected uno/NoServo.rejected \
   stm32/NoBackground.rejected pico/NoBackground.rejected teensy4/NoBackground.rejected) \
@@ -143,7 +144,7 @@ $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/Tran
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
-  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/port/SlotTimer.o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+  $(OUT)/$1/SBus2Sensor.o $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 	$(CXX) $$^ -o $$@
@@ -153,10 +154,10 @@ $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o \
-  $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+  $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o \
-  $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+  $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/TasksSketch.o $(OUT)/Main.o $(SBUS)
@@ -217,7 +218,7 @@ endef
 $(foreach core,$(CORES) $(BOARDS),$(eval $(call core_rules,$(core))))
 
 # The stand-in has no timers.
-$(OUT)/stm32l0/SlotTimer.ok: $(ROOT)/src/port/SlotTimer.cpp $(HERE)/build.mk
+$(OUT)/stm32l0/Stm32L0.ok: $(ROOT)/src/port/timer/Stm32L0.cpp $(HERE)/build.mk
 	@mkdir -p $(@D) && rm -f $@
 	$(CXX) $(stm32l0_board) $(DEPENDENCIES) -DTIM7 -include Arduino.h -include stm32l0_dma.h -fsyntax-only $<
 	@touch $@

@@ -22,7 +22,7 @@ for target in $targets; do
   core=${name%%/*}
   name=${name#*/}
   case $name in
-    SlotTimer.ok) what="the timer of the slots compiles" ;;
+    Stm32L0.ok) what="the timer of the slots compiles" ;;
     SBusBoard.ok) what="SBUS_UART and SBUS_FREE_PINS are as boards.md says" ;;
     *.ok) what="${name%.ok} compiles without a warning" ;;
     NoServo.rejected) what="without the library Servo the compiler says where it is" ;;

@@ -1,0 +1,96 @@
+#include "SlotTimer.h"
+
+#if defined(SBUS_AVR) && defined(SBUS_SLOT_TIMER)
+
+namespace sbus {
+
+namespace {
+
+constexpr uint32_t Divider = 64;  // of the clock: a tick is 4 us at 16 MHz, 5.3 us at 12 MHz
+constexpr uint8_t Soonest = 3;    // ticks
+constexpr uint8_t Latest = 150;
+constexpr uint8_t MostLate = 64;  // ticks: micros() stops from 256 on
+
+TimedSensor<HardwareSerial> timed;
+uint8_t ticks;         // until the next call
+uint8_t modeA, modeB;  // what the core had set: the PWM of analogWrite()
+
+// Reads UCSRnA of a port, for which the port has no public method.
+struct Status : HardwareSerial {
+  static const volatile uint8_t *of(const HardwareSerial &port) { return port.*(&Status::_ucsra); }
+};
+
+}  // namespace
+
+volatile bool FlagLock::isLocked = false;
+bool SlotTimer::_isLate = false;
+
+bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) {
+  if (timed.port != nullptr) {
+    return timed.isOf(context);
+  }
+  modeA = TCCR2A;
+  modeB = TCCR2B;
+  timed.take(port, due, context);
+  TCCR2A = 0;
+  TCCR2B = _BV(CS22);
+  TIMSK2 |= _BV(OCIE2B);
+  return true;
+}
+
+void SlotTimer::stop(void *context) {
+  if (timed.isOf(context)) {
+    TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
+    TCCR2A = modeA;
+    TCCR2B = modeB;
+    timed.port = nullptr;
+  }
+}
+
+// Called by due() only, in the interrupt.
+void SlotTimer::callIn(uint32_t us) {
+  const uint32_t wanted = us * (F_CPU / 1000000) / Divider;
+  ticks = static_cast<uint8_t>(wanted < Soonest ? Soonest : wanted > Latest ? Latest : wanted);
+}
+
+// The port's own interrupt would write the third character while loop() may have disabled interrupts. This waits 120 us
+// for it, with interrupts, of which none may take longer: then the characters are cut short, and do not come apart.
+bool SlotTimer::send(const uint8_t *characters, size_t size) {
+  const volatile uint8_t *const status = Status::of(*timed.port);
+  for (size_t i = 0; i < size; i++) {
+    const uint8_t from = TCNT2;
+    while ((*status & _BV(UDRE0)) == 0 && static_cast<uint8_t>(TCNT2 - from) < MostLate) {
+    }
+    cli();
+    const bool isApart = i > 0 && (*status & _BV(TXC0)) != 0;
+    if (!isApart) {
+      timed.port->write(characters[i]);
+    }
+    sei();
+    if (isApart) {
+      break;
+    }
+  }
+  return true;
+}
+
+// Others may interrupt it, since characters come every 120 us; it does not interrupt itself. Compare A shows that it
+// comes very late.
+void SlotTimer::tick() {
+  TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
+  _isLate = (TIFR2 & _BV(OCF2A)) != 0;
+  sei();
+  timed.call();
+  cli();
+  OCR2B = static_cast<uint8_t>(TCNT2 + ticks);
+  OCR2A = static_cast<uint8_t>(OCR2B + MostLate);
+  TIFR2 = _BV(OCF2B) | _BV(OCF2A);
+  TIMSK2 |= _BV(OCIE2B);
+}
+
+}  // namespace sbus
+
+// With `dot_a_linkage` it is linked only into sketches that have an SBus2Sensor.
+ISR(TIMER2_COMPB_vect) { sbus::SlotTimer::tick(); }
+
+#endif
