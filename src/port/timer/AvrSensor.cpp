@@ -2,9 +2,24 @@
 
 #if defined(SBUS_AVR) && defined(SBUS_SLOT_TIMER)
 
+// A register or bit of the timer, such as SBUS_TIMER(TCCR, A).
+#if defined(ICR4)
+#define SBUS_TIMER(name, suffix) name##4##suffix
+#else
+#define SBUS_TIMER(name, suffix) name##2##suffix
+#endif
+
 namespace sbus {
 
 namespace {
+
+#if defined(ICR4)
+using Count = uint16_t;
+constexpr uint8_t Clock = _BV(CS41) | _BV(CS40);
+#else
+using Count = uint8_t;
+constexpr uint8_t Clock = _BV(CS22);
+#endif
 
 constexpr uint32_t Divider = 64;  // of the clock: a tick is 4 us at 16 MHz, 5.3 us at 12 MHz
 constexpr uint8_t Soonest = 3;    // ticks
@@ -29,20 +44,23 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
   if (timed.port != nullptr) {
     return timed.isOf(context);
   }
-  modeA = TCCR2A;
-  modeB = TCCR2B;
+  modeA = SBUS_TIMER(TCCR, A);
+  modeB = SBUS_TIMER(TCCR, B);
   timed.take(port, due, context);
-  TCCR2A = 0;
-  TCCR2B = _BV(CS22);
-  TIMSK2 |= _BV(OCIE2B);
+  SBUS_TIMER(TCCR, A) = 0;
+  SBUS_TIMER(TCCR, B) = Clock;
+#if defined(ICR4)
+  OCR4B = TCNT4 + Soonest;  // 16 bits would take 0.3 s to come round
+#endif
+  SBUS_TIMER(TIMSK, ) |= _BV(SBUS_TIMER(OCIE, B));
   return true;
 }
 
 void SlotTimer::stop(void *context) {
   if (timed.isOf(context)) {
-    TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
-    TCCR2A = modeA;
-    TCCR2B = modeB;
+    SBUS_TIMER(TIMSK, ) &= static_cast<uint8_t>(~_BV(SBUS_TIMER(OCIE, B)));
+    SBUS_TIMER(TCCR, A) = modeA;
+    SBUS_TIMER(TCCR, B) = modeB;
     timed.port = nullptr;
   }
 }
@@ -58,8 +76,8 @@ void SlotTimer::callIn(uint32_t us) {
 bool SlotTimer::send(const uint8_t *characters, size_t size) {
   const volatile uint8_t *const status = Status::of(*timed.port);
   for (size_t i = 0; i < size; i++) {
-    const uint8_t from = TCNT2;
-    while ((*status & _BV(UDRE0)) == 0 && static_cast<uint8_t>(TCNT2 - from) < MostLate) {
+    const uint8_t from = static_cast<uint8_t>(SBUS_TIMER(TCNT, ));
+    while ((*status & _BV(UDRE0)) == 0 && static_cast<uint8_t>(SBUS_TIMER(TCNT, ) - from) < MostLate) {
     }
     cli();
     const bool isApart = i > 0 && (*status & _BV(TXC0)) != 0;
@@ -77,20 +95,20 @@ bool SlotTimer::send(const uint8_t *characters, size_t size) {
 // Others may interrupt it, since characters come every 120 us; it does not interrupt itself. Compare A shows that it
 // comes very late.
 void SlotTimer::tick() {
-  TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
-  _isLate = (TIFR2 & _BV(OCF2A)) != 0;
+  SBUS_TIMER(TIMSK, ) &= static_cast<uint8_t>(~_BV(SBUS_TIMER(OCIE, B)));
+  _isLate = (SBUS_TIMER(TIFR, ) & _BV(SBUS_TIMER(OCF, A))) != 0;
   sei();
   timed.call();
   cli();
-  OCR2B = static_cast<uint8_t>(TCNT2 + ticks);
-  OCR2A = static_cast<uint8_t>(OCR2B + MostLate);
-  TIFR2 = _BV(OCF2B) | _BV(OCF2A);
-  TIMSK2 |= _BV(OCIE2B);
+  SBUS_TIMER(OCR, B) = static_cast<Count>(SBUS_TIMER(TCNT, ) + ticks);
+  SBUS_TIMER(OCR, A) = static_cast<Count>(SBUS_TIMER(OCR, B) + MostLate);
+  SBUS_TIMER(TIFR, ) = _BV(SBUS_TIMER(OCF, B)) | _BV(SBUS_TIMER(OCF, A));
+  SBUS_TIMER(TIMSK, ) |= _BV(SBUS_TIMER(OCIE, B));
 }
 
 }  // namespace sbus
 
 // With `dot_a_linkage` it is linked only into sketches that have an SBus2Sensor.
-ISR(TIMER2_COMPB_vect) { sbus::SlotTimer::tick(); }
+ISR(SBUS_TIMER(TIMER, _COMPB_vect)) { sbus::SlotTimer::tick(); }
 
 #endif

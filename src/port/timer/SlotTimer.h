@@ -94,9 +94,9 @@ class FlagLock {
 // The only sensor that a timer calls, and its port.
 template <typename Port>
 struct TimedSensor {
-  Port *port;  // null: the timer is free
-  void *sensor;
   void (*due)(void *);
+  void *sensor;
+  Port *port;  // null: the timer is free
 
   // Takes the timer, which is free.
   void take(Port &sensorsPort, void (*callback)(void *), void *context) {
@@ -113,7 +113,7 @@ struct TimedSensor {
 
 #if defined(SBUS_STM32L0) && defined(TIM7)
 #include "Stm32L0.h"
-#elif defined(SBUS_AVR) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+#elif defined(SBUS_AVR) && (defined(ICR4) || (defined(TIMER2_COMPB_vect) && defined(OCIE2B)))
 #include "Avr.h"
 #elif defined(SBUS_RP2040)
 #include "Rp2040.h"

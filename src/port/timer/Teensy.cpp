@@ -49,5 +49,4 @@ void PolledByTimer::stopTimer() {
 
 }  // namespace sbus
 
-
 #endif
