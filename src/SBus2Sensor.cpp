@@ -38,7 +38,7 @@ void SBus2Sensor::start(unsigned long baud) {
 
 void SBus2Sensor::end() {
   stop();
-  _finder.events().skip();
+  schedule().skip();
   Decoder::end();
 }
 
@@ -63,17 +63,17 @@ void SBus2Sensor::parseSBusFrame() {
 // While interrupts are off micros() may stand still: timestamps taken before are then invalid.
 void SBus2Sensor::checkClock(bool isLate) {
   if (isLate) {
-    _finder.events().skip();
+    schedule().skip();
     _isLate = true;
   }
 }
 
 void SBus2Sensor::answerWithin(int32_t wait) {
-  if (!_finder.events().isPlanned()) {
+  if (!schedule().isPlanned()) {
     return;
   }
   const uint32_t now = micros() + sbus::PollLead;
-  const int32_t until = static_cast<int32_t>(_finder.events().due() - now);
+  const int32_t until = static_cast<int32_t>(schedule().due() - now);
   if (until > wait) {
     return;
   }
@@ -81,11 +81,11 @@ void SBus2Sensor::answerWithin(int32_t wait) {
     sbus::SlotTimer::wait(static_cast<uint32_t>(until));
   }
   const sbus::SlotTimer::CriticalSection section;
-  answer(section.start(until > 0 ? _finder.events().due() : now));
+  answer(section.start(until > 0 ? schedule().due() : now));
 }
 
 __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) {
-  sbus::SlotSchedule &answers = _finder.events();
+  sbus::SlotSchedule &answers = schedule();
   const bool cameAtOnceBefore = _cameAtOnce;  // the callback before: two that are equally late would look consistent
   _cameAtOnce = fromCallback && sbus::SlotTimer::cameAtOnce();
   const uint16_t found = answers.pollFound();
@@ -148,7 +148,7 @@ void SBus2Sensor::due(void *sensor) {
   }
   constexpr int32_t Close = 10;  // us
   const uint32_t start = micros() + TimerLead;
-  if (static_cast<int32_t>(self._finder.events().due() - start) <= Close) {
+  if (static_cast<int32_t>(self.schedule().due() - start) <= Close) {
     self.answer(start);
   }
   self.armTimer();
@@ -157,7 +157,7 @@ void SBus2Sensor::due(void *sensor) {
 // Returns how many us from now the timer must call for the next slot: a little early, as answerWithin() waits for it.
 int32_t SBus2Sensor::untilDue() const {
   constexpr uint32_t Sooner = 20;
-  return static_cast<int32_t>(_finder.events().due() - micros() - sbus::PollLead - Sooner);
+  return static_cast<int32_t>(schedule().due() - micros() - sbus::PollLead - Sooner);
 }
 
 // Sends first. Shortly before a slot it does not read the port, which may take an AVR 0.3 ms: it only counts the
@@ -168,7 +168,7 @@ void SBus2Sensor::tick() {
   constexpr int32_t LongestWait = 40;                   // us
   constexpr int32_t ReadingTime = 400;                  // us
   constexpr int32_t LookAhead = 180, LatestLook = 110;  // us
-  sbus::SlotSchedule &answers = _finder.events();
+  sbus::SlotSchedule &answers = schedule();
   uint32_t poll = 0;
   checkClock(sbus::SlotTimer::isLate());
   answerWithin(LongestWait);
@@ -195,8 +195,8 @@ void SBus2Sensor::tick() {
 }
 
 void SBus2Sensor::armTimer() {
-  if (_isTimed && _finder.events().isPlanned()) {
-    const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - TimerLead);
+  if (_isTimed && schedule().isPlanned()) {
+    const int32_t until = static_cast<int32_t>(schedule().due() - micros() - TimerLead);
     sbus::SlotTimer::callIn(until > 0 ? static_cast<uint32_t>(until) : 0);
   }
 }
@@ -210,18 +210,18 @@ bool SBus2Sensor::isLineIdle(uint32_t now) {
 
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
-  const bool mayStart = !_finder.events().isPlanned() || isLineIdle(now);
+  const bool mayStart = !schedule().isPlanned() || isLineIdle(now);
   _sampled = NotSampled;
   if (!mayStart) {
-    _finder.events().skip();
+    schedule().skip();
     return;
   }
-  if (!_finder.events().start(now, characters)) {
+  if (!schedule().start(now, characters)) {
     return;
   }
   const bool isSent =
       _isTimed ? sbus::SlotTimer::send(characters, sizeof characters) : _port.write(characters, sizeof characters);
   if (!isSent) {
-    _finder.events().unsent();
+    schedule().unsent();
   }
 }
