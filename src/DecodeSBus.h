@@ -7,7 +7,7 @@
 #include <limits.h>
 
 #include "port/Clock.h"
-#include "port/ListeningPort.h"
+#include "port/CallbackPort.h"
 #include "port/PortReader.h"
 #include "sbus/Barrier.h"
 #include "sbus/FrameFinder.h"
@@ -40,8 +40,8 @@ class LinkQuality;
 /// other boards: extras/docs/interrupts.md.
 template <typename Format, typename Events = sbus::NoEvents, typename Polling = sbus::PolledByLoop>
 class DecodeSBusOf : protected Polling,
-                     protected sbus::PortReader<Format, Events, sbus::ListeningPort, sbus::ClockedLink> {
-  using Reader = sbus::PortReader<Format, Events, sbus::ListeningPort, sbus::ClockedLink>;
+                     protected sbus::PortReader<Format, Events, sbus::CallbackPort, sbus::ClockedLink> {
+  using Reader = sbus::PortReader<Format, Events, sbus::CallbackPort, sbus::ClockedLink>;
 
  public:
   template <typename Other>
@@ -85,7 +85,7 @@ class DecodeSBusOf : protected Polling,
   /// classic ESP32 belong to its flash (extras/docs/boards.md).
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted) {
     this->stopPolling();
-    _port.enter();
+    _port.tryLock();
     open(baud, config);
     start(baud);
   }
@@ -94,7 +94,7 @@ class DecodeSBusOf : protected Polling,
   /// counters. What waits there counts as new: if it may be old, read it first.
   void listen(unsigned long baud = sbus::Baud) {
     this->stopPolling();
-    _port.enter();
+    _port.tryLock();
     start(baud);
   }
 
@@ -102,7 +102,7 @@ class DecodeSBusOf : protected Polling,
   /// forever. The last frame can be decoded until it is stale.
   void end() {
     this->stopPolling();
-    _port.enter();
+    _port.tryLock();
     _port.close();
     _port.stop();
     _link.stop();
@@ -251,7 +251,7 @@ class DecodeSBusOf : protected Polling,
       age = _link.age(_link.ageOf(time));
       const sbus::LinkState state = _link.state(age);
       sbus::barrier();
-      if (!sbus::ListeningPort::Calls || time == _finder.frameTime()) {
+      if (!sbus::CallbackPort::HasCallback || time == _finder.frameTime()) {
         constexpr uint32_t Old = 100000;  // us
         if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || age >= Old)) {
           pollAll(false);  // if the port's call was lost, the next one comes only after a poll
@@ -285,9 +285,10 @@ class DecodeSBusOf : protected Polling,
       const uint8_t *const frame = _finder.newest();
       Format::unpack(frame, channels);
       lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
-      failsafe = _link.isLost() || (Format::ZeroMeansLost && sbus::hasNoPulses(channels));  // the array has kept none
+      failsafe =
+          _link.isFailsafe() || (Format::ZeroMeansLost && sbus::hasNoPulses(channels));  // the array has kept none
       sbus::barrier();
-    } while (sbus::ListeningPort::Calls && number != _finder.counters().frames);
+    } while (sbus::CallbackPort::HasCallback && number != _finder.counters().frames);
     _decoded = number;
   }
 
@@ -295,7 +296,7 @@ class DecodeSBusOf : protected Polling,
   // begin() has emptied its own: stm32l0_uart.c:846.)
   void open(unsigned long baud, uint32_t config) {
     _port.open(baud, config);
-    const bool mayHold = !sbus::ListeningPort::Calls && baud > sbus::SlowestBaud;
+    const bool mayHold = !sbus::CallbackPort::HasCallback && baud > sbus::SlowestBaud;
     for (int waiting = mayHold ? _port.available() : 0; waiting > 0; waiting--) {
       _port.stream().read();
     }
@@ -316,7 +317,7 @@ class DecodeSBusOf : protected Polling,
   template <typename Object>
   void startCallbacks(void (Object::*method)(), Object *object) {
     const bool callsBack = _port.start(method, object);
-    _port.leave();
+    _port.unlock();
     if (callsBack) {
       pollAll(false);
     }

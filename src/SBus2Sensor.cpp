@@ -22,7 +22,7 @@ void SBus2Sensor::listen(unsigned long baud) {
 }
 
 void SBus2Sensor::stop() {
-  _port.enter();
+  _port.tryLock();
   _isTimed = false;
   sbus::barrier();
   sbus::SlotTimer::stop(this);
@@ -44,18 +44,18 @@ void SBus2Sensor::end() {
 
 // A poll shortly before a slot waits for its start: delayMicroseconds() is exact to some us, the next poll is not.
 void SBus2Sensor::parseSBusFrame() {
-  constexpr int32_t LongestWait = 100;  // us
+  constexpr int32_t WaitMax = 100;  // us
   if (_isTimed) {
     return;  // due() does all that
   }
   checkClock(_clockCheck.mayHaveStopped());
   receive(false);
   _isLate = false;
-  if (!_port.enter()) {
+  if (!_port.tryLock()) {
     return;
   }
-  answerWithin(LongestWait);
-  if (_port.leave()) {
+  answerWithin(WaitMax);
+  if (_port.unlock()) {
     receive(true);
   }
 }
@@ -110,23 +110,23 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) 
   if (frames != _timedFrame + 1 || apart > Widest) {
     _interval.missed();
   }
-  if (apart <= sbus::SlotSchedule::MostOff) {
+  if (apart <= sbus::SlotSchedule::DeviationMax) {
     _timedFrame = frames;
     _interval.frame(end.earliest + apart / 2, answers.outcome());
   } else if (apart <= Widest) {
     _interval.endedBetween(end.earliest, end.latest);
   }
-  constexpr uint16_t Taken = FrameTime + sbus::SlotSchedule::MostOff;  // us: an interval is known to 0.1 ms
+  constexpr uint16_t Taken = FrameTime + sbus::SlotSchedule::DeviationMax;  // us: an interval is known to 0.1 ms
   const uint16_t interval = _interval.shortest();
   answers.plan(end.earliest, end.latest, interval > Taken ? interval - Taken : 0);
 }
 
 // If the port calls meanwhile, what it has found is planned afterwards.
 void SBus2Sensor::receive(bool fromCallback) {
-  while (_port.enter()) {
-    poll(sbus::ListeningPort::Calls && fromCallback);
+  while (_port.tryLock()) {
+    poll(sbus::CallbackPort::HasCallback && fromCallback);
     plan(fromCallback);  // inlined: on an AVR the polls must not be farther apart
-    if (!_port.leave()) {
+    if (!_port.unlock()) {
       return;
     }
     fromCallback = true;
@@ -165,13 +165,13 @@ int32_t SBus2Sensor::untilDue() const {
 // the slot that the slot before has ended. While a frame's end is expected it does not return to loop(): polls would be
 // too rare.
 void SBus2Sensor::tick() {
-  constexpr int32_t LongestWait = 40;                   // us
+  constexpr int32_t WaitMax = 40;                       // us
   constexpr int32_t ReadingTime = 400;                  // us
   constexpr int32_t LookAhead = 180, LatestLook = 110;  // us
   sbus::SlotSchedule &answers = schedule();
   uint32_t poll = 0;
   checkClock(sbus::SlotTimer::isLate());
-  answerWithin(LongestWait);
+  answerWithin(WaitMax);
   if (!answers.isPlanned() || untilDue() > ReadingTime) {
     do {
       if (sbus::SlotTimer::isLocked()) {

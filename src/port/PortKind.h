@@ -16,7 +16,7 @@ namespace sbus {
 
 // The size assumed for an unknown port: the smallest of all cores (Pico). Too large a size would let lost bytes go
 // unnoticed.
-constexpr unsigned SmallestBuffer = 32;
+constexpr unsigned BufferMin = 32;
 
 #if defined(UART_RX_BUFFER_SIZE)  // STM32L0
 constexpr unsigned CoreBuffer = UART_RX_BUFFER_SIZE;
@@ -27,7 +27,7 @@ constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
 #elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy, whose headers do not tell the size
 constexpr unsigned CoreBuffer = 64;
 #else
-constexpr unsigned CoreBuffer = SmallestBuffer;
+constexpr unsigned CoreBuffer = BufferMin;
 #endif
 
 // A Teensy 4 also counts the bytes of its FIFO, which came after what its full buffer has lost (cores 7f107ee,
@@ -190,7 +190,7 @@ struct Stm32 : BeginWithConfig {
 // check the second stop bit (RP2040 datasheet, 4.2.2).
 struct Pico : Kind {
   static constexpr bool Inverts = true, BothWays = true;
-  static constexpr unsigned Buffer = SmallestBuffer;
+  static constexpr unsigned Buffer = BufferMin;
   static constexpr ReceiveNotice Notice = ReceiveNotice::Fifo;
   template <typename Port, typename Pins>
   static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
@@ -209,7 +209,7 @@ struct Pico : Kind {
   }
   template <typename Port>
   static unsigned enlarge(Port &, Rank<0>) {
-    return SmallestBuffer;
+    return BufferMin;
   }
 };
 
@@ -266,7 +266,7 @@ struct Esp8266 : Kind {
 // Any Stream that is no hardware serial port: the sketch opens it.
 struct SketchOpens : Kind {
   static constexpr bool Inverts = false, BothWays = false;
-  static constexpr unsigned Buffer = SmallestBuffer;
+  static constexpr unsigned Buffer = BufferMin;
   template <typename Port, typename Pins>
   static unsigned open(Port &, unsigned long, Config, Pins) {
     return 0;

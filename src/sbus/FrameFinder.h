@@ -75,7 +75,7 @@ class FrameFinderOf : private Events {
   void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters) {
     _timing.reset(now, characterTime, idleCharacters);
     _sizeCheck.reset();
-    _variant = UnknownVariant;
+    _variant = NoVariant;
     _aligned = false;
     _hasBreaks = false;
     _unread = 0;
@@ -151,7 +151,7 @@ class FrameFinderOf : private Events {
       gapBefore(Silence::Gap);
       return nullptr;
     }
-    const bool isProof = _variant != UnknownVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
+    const bool isProof = _variant != NoVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
     return acceptAfterSilence(isProof ? Silence::Gap : Silence::Likely);
   }
 
@@ -252,9 +252,9 @@ class FrameFinderOf : private Events {
     if (!Events::seesEachGap()) {
       _sizeCheck.forget();
     }
-    if (_sizeCheck.gap(filled, _variant == UnknownVariant)) {
+    if (_sizeCheck.gap(filled, _variant == NoVariant)) {
       countUp(_counters.otherSizeFrames);
-      _variant = UnknownVariant;
+      _variant = NoVariant;
       _aligned = false;  // out of sync: isExactlyNext() needs a variant
     }
   }
@@ -379,7 +379,7 @@ class FrameFinderOf : private Events {
     for (const int last = _buffer.filled() - Size; start <= last;) {
       int step = 1, worth = 1;
       const uint8_t variant = variantAt(start);
-      if (variant != UnknownVariant) {
+      if (variant != NoVariant) {
         Verdict verdict = judge(start, variant);
         if (verdict.isAccepted() && rules::mayEndInBreak<Format>(variant, _hasBreaks)) {  // in judge(): 56 bytes more
           _hasBreaks = false;
@@ -433,16 +433,16 @@ class FrameFinderOf : private Events {
     return from;
   }
 
-  // Returns the variant whose form the 25 bytes at `start` have, or UnknownVariant.
+  // Returns the variant whose form the 25 bytes at `start` have, or NoVariant.
   uint8_t variantAt(int start) {
     const uint8_t variant = variantOf(_buffer[start + EndAt]);
-    if (variant == UnknownVariant) {
+    if (variant == NoVariant) {
       countUp(_counters.rejectedByEnd);
       Events::rejected(start, Rejection::NoEnd);
     } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
       countUp(_counters.rejectedByFlags);
       Events::rejected(start, Rejection::Flags);
-      return UnknownVariant;
+      return NoVariant;
     }
     return variant;
   }
@@ -493,11 +493,11 @@ class FrameFinderOf : private Events {
 
   static uint8_t variantOf(uint8_t end) {
     const uint8_t variant = variantOfEnd(end);
-    return Format::Variants == VariantCount || variant < Format::Variants ? variant : UnknownVariant;
+    return Format::Variants == VariantCount || variant < Format::Variants ? variant : NoVariant;
   }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
-  uint8_t _variant;    // of the line: a row of LineVariants, or UnknownVariant
+  uint8_t _variant;    // of the line: a row of LineVariants, or NoVariant
   bool _aligned;       // the last frame was aligned
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll

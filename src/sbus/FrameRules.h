@@ -58,7 +58,7 @@ struct Candidate {
   Silence inside;        ///< what the gaps inside before that one are: FrameBuffer::inside()
   bool isPlaced;         ///< a wide gap comes before it, or it is in sync and in time: parts of two frames come later
   uint8_t variant;       ///< of its end byte, a row of LineVariants
-  uint8_t lineVariant;   ///< of the line, or UnknownVariant
+  uint8_t lineVariant;   ///< of the line, or NoVariant
   int distance;          ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
   bool isInSync;         ///< it follows an aligned frame directly
 
@@ -122,8 +122,8 @@ SBUS_IN_LINE bool hasSlots(uint8_t variant) {
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   const bool isLate = c.distance != 0 && !(c.hasLineVariant() && hasSlots<Format>(c.variant));
-  return (c.lineVariant == UnknownVariant || isLate) &&
-         (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
+  return (c.lineVariant == NoVariant || isLate) &&
+         (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & EndByteZeros) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
 template <typename Format>
@@ -150,7 +150,7 @@ SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
 /// byte counts while the line's variant is unknown.
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
-  const uint8_t variant = c.hasLineVariant() || Format::Variants == 1 ? c.variant : UnknownVariant;
+  const uint8_t variant = c.hasLineVariant() || Format::Variants == 1 ? c.variant : NoVariant;
   return innerHeader(c.bytes, Format::Size, variant);
 }
 

@@ -22,8 +22,8 @@ class FifoWatch {
   // between `from` and `to`, the FIFO held `fill`.
   void poll(unsigned found, uint32_t by, uint32_t from, unsigned fill, uint32_t to) {
     if (found != 0) {
-      _end = found == _count && by - _by <= LongestWait ? frameEndOf(ReceiveNotice::EachCharacter, 1, _before, _by)
-                                                        : unknown(by);
+      _end = found == _count && by - _by <= WaitMax ? frameEndOf(ReceiveNotice::EachCharacter, 1, _before, _by)
+                                                    : unknown(by);
       _count = 0;
     }
     if (fill < _fill || to - _from > Close) {
@@ -45,9 +45,9 @@ class FifoWatch {
   static FrameEnd unknown(uint32_t by) { return {by - 1000, by}; }
 
  private:
-  static constexpr uint32_t Close = 100;         // us between looks: at most one character, and one burst, came
-  static constexpr int32_t Interrupt = 100;      // us: the longest that a driver's interrupt takes once it has begun
-  static constexpr uint32_t LongestWait = 1900;  // us: 16 characters, and a FIFO that loses some has had 128
+  static constexpr uint32_t Close = 100;     // us between looks: at most one character, and one burst, came
+  static constexpr int32_t Interrupt = 100;  // us: the longest that a driver's interrupt takes once it has begun
+  static constexpr uint32_t WaitMax = 1900;  // us: 16 characters, and a FIFO that loses some has had 128
 
   uint32_t _from = 0;  // the newest look, and what it saw
   unsigned _fill = 0;

@@ -52,15 +52,15 @@ inline FrameEnd frameEndOf(ReceiveNotice notice, unsigned found, uint32_t before
 // two. Other interrupts may delay a callback: both calls must predict the same end within 40 us, and the earlier
 // prediction counts.
 inline FrameEnd frameEndOfCallback(ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
-  constexpr int32_t MostHeldUp = 40;  // us
+  constexpr int32_t DelayMax = 40;  // us
   const uint32_t end = by - (notice == ReceiveNotice::Dma16 && found % HalfRing != 0 ? CharacterTime : 0);
   const uint32_t same = before + found * CharacterTime;
   const int32_t heldUp = static_cast<int32_t>(end - same);
-  if (notice == ReceiveNotice::Unknown || heldUp > MostHeldUp || heldUp < -MostHeldUp) {
+  if (notice == ReceiveNotice::Unknown || heldUp > DelayMax || heldUp < -DelayMax) {
     return {by - UINT16_MAX, by};
   }
   const uint32_t latest = heldUp > 0 ? same : end;
-  return {latest - MostHeldUp, latest};
+  return {latest - DelayMax, latest};
 }
 
 }  // namespace sbus

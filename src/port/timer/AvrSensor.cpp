@@ -24,7 +24,7 @@ constexpr uint8_t Clock = _BV(CS22);
 constexpr uint32_t Divider = 64;  // of the clock: a tick is 4 us at 16 MHz, 5.3 us at 12 MHz
 constexpr uint8_t Soonest = 3;    // ticks
 constexpr uint8_t Latest = 150;
-constexpr uint8_t MostLate = 64;  // ticks: micros() stops from 256 on
+constexpr uint8_t LatenessMax = 64;  // ticks: micros() stops from 256 on
 
 TimedSensor<HardwareSerial> timed;
 uint8_t ticks;         // until the next call
@@ -77,7 +77,7 @@ bool SlotTimer::send(const uint8_t *characters, size_t size) {
   const volatile uint8_t *const status = Status::of(*timed.port);
   for (size_t i = 0; i < size; i++) {
     const uint8_t from = static_cast<uint8_t>(SBUS_TIMER(TCNT, ));
-    while ((*status & _BV(UDRE0)) == 0 && static_cast<uint8_t>(SBUS_TIMER(TCNT, ) - from) < MostLate) {
+    while ((*status & _BV(UDRE0)) == 0 && static_cast<uint8_t>(SBUS_TIMER(TCNT, ) - from) < LatenessMax) {
     }
     cli();
     const bool isApart = i > 0 && (*status & _BV(TXC0)) != 0;
@@ -101,7 +101,7 @@ void SlotTimer::tick() {
   timed.call();
   cli();
   SBUS_TIMER(OCR, B) = static_cast<Count>(SBUS_TIMER(TCNT, ) + ticks);
-  SBUS_TIMER(OCR, A) = static_cast<Count>(SBUS_TIMER(OCR, B) + MostLate);
+  SBUS_TIMER(OCR, A) = static_cast<Count>(SBUS_TIMER(OCR, B) + LatenessMax);
   SBUS_TIMER(TIFR, ) = _BV(SBUS_TIMER(OCF, B)) | _BV(SBUS_TIMER(OCF, A));
   SBUS_TIMER(TIMSK, ) |= _BV(SBUS_TIMER(OCIE, B));
 }

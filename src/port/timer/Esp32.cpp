@@ -163,7 +163,7 @@ bool IRAM_ATTR SlotTimer::isLineIdle(Port &port, int waiting) {
 // Does not use the driver's methods: they take a mutex, which is not allowed while interrupts are off.
 bool IRAM_ATTR SlotTimer::send(const uint8_t *characters, size_t size) {
   uart_dev_t *const uart = UART_LL_GET_HW(number);
-  if (!uart_ll_is_tx_idle(uart) || clock() - _looked > LongestSend) {
+  if (!uart_ll_is_tx_idle(uart) || clock() - _looked > SendMax) {
     return false;
   }
   uart_ll_write_txfifo(uart, characters, static_cast<uint32_t>(size));

@@ -51,7 +51,7 @@ class SlotTimer : public NoSlotTimer {
     CriticalSection &operator=(const CriticalSection &) = delete;
     uint32_t start(uint32_t planned) const {
       _looked = clock();
-      const uint32_t latest = _looked + LongestSend;
+      const uint32_t latest = _looked + SendMax;
       return static_cast<int32_t>(latest - planned) > 0 ? latest : planned;
     }
   };
@@ -70,7 +70,7 @@ class SlotTimer : public NoSlotTimer {
   }
 
  private:
-  static constexpr uint32_t LongestSend = 30;  // us
+  static constexpr uint32_t SendMax = 30;  // us
   static uint32_t clock() { return static_cast<uint32_t>(esp_timer_get_time()); }
 
   static portMUX_TYPE _lock;

@@ -22,7 +22,7 @@ constexpr uint32_t PollLead = 5;
 // Does nothing: the sensor is polled from loop(). The timers of the cores inherit what they lack.
 class NoSlotTimer {
  public:
-  // The port calls back (ListeningPort.h); otherwise due() polls it.
+  // The port calls back (CallbackPort.h); otherwise due() polls it.
   static constexpr bool HasCallback = false;
 
   // Keeps due() from reading the port, while this exists.

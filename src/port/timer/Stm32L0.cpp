@@ -11,7 +11,7 @@ namespace sbus {
 namespace {
 
 constexpr unsigned Priority = 1;       // as the UARTs' interrupts: neither interrupts the other
-constexpr uint32_t LongestUs = 60000;  // the timer has 16 bits
+constexpr uint32_t PeriodMax = 60000;  // the timer has 16 bits
 
 TimedSensor<Uart> timed;
 stm32l0_timer_t timer;
@@ -44,7 +44,7 @@ void SlotTimer::stop(void *context) {
   }
 }
 
-void SlotTimer::callIn(uint32_t us) { stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true); }
+void SlotTimer::callIn(uint32_t us) { stm32l0_timer_start(&timer, us < 1 ? 1 : us > PeriodMax ? PeriodMax : us, true); }
 
 bool SlotTimer::cameAtOnce() { return DmaSender::cameAtOnce(timed.port); }
 
