@@ -6,6 +6,7 @@
 #   verdicts/LINES                 what the sketch Diagnose finds on each of these lines
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   docs/examples.md               that it shows lines of golden files
+#   docs/troubleshooting.md        what each fault leaves in the counters
 # A golden file holds the last 20 lines at most.
 # "golden.sh VARIANT update" writes the golden files instead.
 set -u
@@ -75,6 +76,16 @@ for sketch in "$build"/sketch/*; do
   program "$sketch" && [ -x "$build/$name" ]
   verdict $? "the sketch $name of the docs is built"
 done
+for class in '' 24 32; do
+  mkdir -p "$build/sketch/Counters$class"
+  sed "s/^DecodeSBus /DecodeSBus$class /" "$build/sketch/troubleshooting/troubleshooting.ino" >"$build/sketch/Counters$class/Counters$class.ino"
+  program "$build/sketch/Counters$class"
+done
+./counters.sh "$build" 2>"$build/err" >"$build/page"
+if [ "$update" = update ]; then cp "$build/page" ../extras/docs/troubleshooting.md; else
+  diff ../extras/docs/troubleshooting.md "$build/page" && ! grep -q '| |$' "$build/page"
+  verdict $? "docs/troubleshooting.md has what each fault leaves in the counters"
+fi
 golden README "$build/README" --seconds 10.05
 golden receivers "$build/receivers" --source sim:32 --seconds 0.3
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example

@@ -10,6 +10,11 @@ DecodeSBus receiver(pin);
 #elif defined(USE_PAPERS)
 #include "support/PaperDecoder.h"
 PaperDecoder receiver(Serial1);
+#elif defined(USE_EXTRA)
+#include <DecodeSBus32.h>
+#define USE_DECODER
+DecodeSBus32 receiver(Serial1);
+extern uint16_t *extra;
 #elif defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
 #include <DecodeSBus.h>
 DecodeSBus receiver(Serial1);
@@ -52,6 +57,9 @@ void loop() {
   if (receiver.SBusFrameOk()) {
     receiver.decodeSBusFrame(channels, flags[0], flags[1]);
   }
+#endif
+#if defined(USE_EXTRA)
+  flags[0] = receiver.decodeExtraChannels(extra);
 #endif
 #if defined(USE_ALL_OF_DECODER)
   receiver.end();

@@ -107,6 +107,7 @@ piece PAPERS "the baseline: begin, parse"
 # shellcheck disable=SC2086  # the bounds are words
 piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk" "" $most
 pin
+piece EXTRA "\`DecodeSBus32\`: the same, decodeExtraChannels"
 piece ALL_OF_DECODER "\`DecodeSBus\`, all methods"
 piece ENCODER "\`EncodeSBus\`: begin, write"
 piece NORMALIZED "\`sbus::toNormalized()\` alone, with the compiler's division" -lgcc

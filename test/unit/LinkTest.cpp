@@ -21,15 +21,26 @@ constexpr uint8_t Failsafe = sbus::FlagFailsafe;
 
 Frame withFlags(uint8_t flags) { return withByte(PaperLow.bytes, 23, flags); }
 
+// What a sketch is told in each state, and whether channels come with it.
+const struct {
+  LinkState state;
+  bool isOk, hasChannels, failsafe;
+} Told[] = {{LinkState::NeverSeen, false, false, true},
+            {LinkState::Ok, true, true, false},
+            {LinkState::Lossy, true, true, false},
+            {LinkState::Failsafe, true, true, true},
+            {LinkState::Stale, false, false, true}};
+
 // Checks that the class reports this state, and decodes channels only if they may be trusted.
 void checkState(FakeBoard &board, LinkState state) {
-  const bool young = state != LinkState::NeverSeen && state != LinkState::Stale;
+  const auto &told =
+      *std::find_if(std::begin(Told), std::end(Told), [=](const auto &row) { return row.state == state; });
   CHECK(board.sbus.linkState() == state);
-  CHECK(board.sbus.SBusFrameOk() == young);
+  CHECK(board.sbus.SBusFrameOk() == told.isOk);
   const Decoded decoded = board.decode();
-  CHECK((decoded.channels == Untouched) == !young);
-  CHECK(decoded.failsafe == (state != LinkState::Ok && state != LinkState::Lossy));
-  if (!young) {
+  CHECK((decoded.channels != Untouched) == told.hasChannels);
+  CHECK(decoded.failsafe == told.failsafe);
+  if (!told.hasChannels) {
     CHECK_FALSE(board.sbus.newFrame());
     CHECK(decoded.lostFrame);
   }

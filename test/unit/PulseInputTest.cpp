@@ -65,17 +65,26 @@ TEST_CASE("the next pulse proves the one before; at 200 Hz each pulse counts, an
 // A spike that is not seen is over before its interrupt looks at the pin.
 TEST_CASE("a spike in a pulse, or less than 2 ms from it, costs that pulse and no other, seen or not") {
   constexpr uint32_t Begin = 4000, End = 5500;  // of the pulse
-  for (const uint32_t width : {1u, 5u, 50u, 500u}) {
-    for (uint32_t at = 1010; at < 9000; at += 50) {
-      const auto touches = [&](uint32_t edge) { return at <= edge && at + width >= edge; };
-      if (touches(Begin) || touches(End)) {
-        continue;  // it makes the pulse longer or shorter
-      }
+  const struct {
+    const char *what;
+    uint32_t beginsAt, endsAt;  // of the spike; 0: its width away from the other
+    uint32_t width;             // of the newest pulse; 1111: of the one before
+  } rows[] = {
+      {"3 ms before", 0, Begin - 3000, 1500},        {"2 ms before", 0, Begin - 2000, 1500},
+      {"1.999 ms before", 0, Begin - 1999, 1111},    {"1 us before", 0, Begin - 1, 1111},
+      {"1 us behind its begin", Begin + 1, 0, 1111}, {"in it", Begin + 700, 0, 1111},
+      {"1 us before its end", 0, End - 1, 1111},     {"1 us behind", End + 1, 0, 1111},
+      {"1.99 ms behind", End + 1990, 0, 1111},       {"2 ms behind", End + 2000, 0, 1500},
+      {"3 ms behind", End + 3000, 0, 1500},
+  };
+  for (const auto &row : rows) {
+    for (const uint32_t width : {1u, 5u, 50u, 500u}) {
       for (const bool isSeen : {true, false}) {
         if (!isSeen && width > 5) {
           continue;
         }
-        INFO("width ", width, ", at ", at, ", isSeen ", isSeen);
+        INFO(doctest::String(row.what), ", width ", width, ", isSeen ", isSeen);
+        const uint32_t at = row.endsAt == 0 ? row.beginsAt : row.endsAt - width;
         Pin pin;
         pin.pulse(1111).wait(8000);
         bool was = false;
@@ -89,8 +98,7 @@ TEST_CASE("a spike in a pulse, or less than 2 ms from it, costs that pulse and n
           }
         }
         pin.us += 9600;
-        const bool spoils = at + width > Begin - 2000 && at < End + 2000;
-        CHECK(pin.widthAfter(0) == (spoils ? 1111 : 1500));
+        CHECK(pin.widthAfter(0) == row.width);
         pin.pulse(1222);
         CHECK(pin.widthAfter(2000) == 1222);
       }
