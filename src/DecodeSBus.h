@@ -91,7 +91,7 @@ class DecodeSBusOf : protected Polling,
   }
 
   /// Starts on a port that the sketch has opened with `baud`, such as a SoftwareSerial, and forgets all frames and
-  /// counters. What waits there counts as new: if it may be old, read it first.
+  /// counters. Pending bytes count as new: if they may be old, read them first.
   void listen(unsigned long baud = sbus::Baud) {
     this->stopPolling();
     _port.tryLock();
@@ -116,7 +116,7 @@ class DecodeSBusOf : protected Polling,
   bool read(Frame &frame) {
     const Lock lock(*this);
     pollAll(false);
-    return fill(frame);
+    return writeTo(frame);
   }
 
   /// Reads the port's pending bytes, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
@@ -216,8 +216,8 @@ class DecodeSBusOf : protected Polling,
  protected:
   /// @cond  For the classes of this library.
 
-  // Keeps other contexts from polling: each public method has one that reads or writes what a poll writes. begin(),
-  // listen() and end() must not: they stop and start the polling. The methods below have none.
+  // Keeps other contexts from polling. Public methods that touch what a poll writes take one; begin(), listen() and
+  // end() stop the polling instead. The methods below assume one.
   using Lock = typename Polling::Lock;
 
   using Reader::_finder;
@@ -242,8 +242,7 @@ class DecodeSBusOf : protected Polling,
     return state(age);
   }
 
-  // Returns the state of the link, and the age of the newest frame, us. If a frame comes meanwhile, they belong to
-  // neither: then all is read again.
+  // Returns the state of the link, and the age of the newest frame, us. Retries if a frame comes in between.
   sbus::LinkState state(uint32_t &age) {
     for (;;) {
       const uint32_t time = _finder.frameTime();
@@ -261,8 +260,8 @@ class DecodeSBusOf : protected Polling,
     }
   }
 
-  // The age is asked for first: a frame that comes in between is younger.
-  bool fill(Frame &frame) {
+  // Reads the age first: a frame that comes in between is younger.
+  bool writeTo(Frame &frame) {
     const uint32_t before = _decoded;
     uint32_t age;
     const sbus::LinkState now = state(age);

@@ -161,9 +161,8 @@ int32_t SBus2Sensor::untilDue() const {
 }
 
 // Sends first. Shortly before a slot it does not read the port, which may take an AVR 0.3 ms: it only counts the
-// pending bytes, twice. The two looks are so far apart that a frame's character would come in between, and so close to
-// the slot that the slot before has ended. While a frame's end is expected it does not return to loop(): polls would be
-// too rare.
+// pending bytes, twice: a frame's character would come between the two looks, and both are so close to the slot that
+// the slot before has ended. While a frame's end is expected it does not return to loop(): polls would be too rare.
 void SBus2Sensor::tick() {
   constexpr int32_t WaitMax = 40;                       // us
   constexpr int32_t ReadingTime = 400;                  // us

@@ -116,7 +116,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   bool read(Frame &frame) {
     parseSBusFrame();
     const Lock lock(*this);
-    return fill(frame);
+    return writeTo(frame);
   }
 
   // ---- Answering

@@ -73,8 +73,8 @@ class NoSlotTimer {
   }
 };
 
-// Holds an interrupt that polls: while loop() reads what the interrupt writes, it sends what is due, but does not read
-// the port.
+// While this exists, as loop() reads what the timer's interrupt writes, the interrupt still sends what is due, but does
+// not read the port.
 class FlagLock {
  public:
   FlagLock() {
