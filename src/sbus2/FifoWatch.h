@@ -9,17 +9,17 @@
 
 namespace sbus {
 
-// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are delayed: if it
-// holds one more than at the previous look, a character came between the two looks. A late look makes the bounds wide,
-// never wrong.
-//
-// That character is the last one handed over if the driver then hands over as many as the FIFO held: no other
-// characters waited before these, neither where the sketch reads nor on their way there, since the driver had taken
-// none for longer than its interrupt lasts.
+/// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are delayed: if it
+/// holds one more than at the previous look, a character came between the two looks. A late look makes the bounds wide,
+/// never wrong.
+///
+/// That character is the last one handed over if the driver then hands over as many as the FIFO held: no other
+/// characters waited before these, neither where the sketch reads nor on their way there, since the driver had taken
+/// none for longer than its interrupt lasts.
 class FifoWatch {
  public:
-  // Takes a poll: by the time `by` the driver had handed over `found` characters, which were read. Later, at a time
-  // between `from` and `to`, the FIFO held `fill`.
+  /// Takes a poll: by the time `by` the driver had handed over `found` characters, which were read. Later, at a time
+  /// between `from` and `to`, the FIFO held `fill`.
   void poll(unsigned found, uint32_t by, uint32_t from, unsigned fill, uint32_t to) {
     if (found != 0) {
       _end = found == _count && by - _by <= WaitMax ? frameEndOf(ReceiveNotice::EachCharacter, 1, _before, _by)
@@ -37,11 +37,11 @@ class FifoWatch {
     _fill = fill;
   }
 
-  // Returns when the last of the characters came that the newest poll has found, if it has found any.
+  /// Returns when the last of the characters came that the newest poll has found, if it has found any.
   FrameEnd end() const { return _end; }
 
-  // Returns bounds that are good enough to look for the next frame, but too wide to answer this one: a port waits for
-  // two more characters, its driver's interrupt is late, and so is the poll.
+  /// Returns bounds that are good enough to look for the next frame, but too wide to answer this one: a port waits for
+  /// two more characters, its driver's interrupt is late, and so is the poll.
   static FrameEnd unknown(uint32_t by) { return {by - 1000, by}; }
 
  private:

@@ -8,23 +8,24 @@
 
 namespace sbus {
 
-// Half of the ring of a port that hands over a half at once, characters: Dma16.
+/// Half of the ring of a port that hands over a half at once, characters: Dma16.
 constexpr unsigned HalfRing = 16;
 
-// The moment at which a port counts a character as waiting.
+/// The moment at which a port counts a character as waiting.
 enum class ReceiveNotice : uint8_t {
-  Unknown,        // at an unknown time: a sensor does not answer there, except on an ESP32 (FifoWatch.h)
-  EachCharacter,  // by an interrupt for each, in its first stop bit
-  Fifo,           // in its first stop bit, even while interrupts are off
-  Dma16,          // with the sixteenth since the last time, or when the line was idle for a character
+  Unknown,        ///< at an unknown time: a sensor does not answer there, except on an ESP32 (FifoWatch.h)
+  EachCharacter,  ///< by an interrupt for each, in its first stop bit
+  Fifo,           ///< in its first stop bit, even while interrupts are off
+  Dma16,          ///< with the sixteenth since the last time, or when the line was idle for a character
 };
 
-// The time from the end of a character's last stop bit until it waits, us.
+/// The time from the end of a character's last stop bit until it waits, us.
 struct NoticeDelay {
-  int16_t least, most;
+  int16_t least;  ///< negative: before the end of its last stop bit
+  int16_t most;   ///< likewise
 };
 
-// Returns the lag of a character when the port has handed over `found` characters at once.
+/// Returns the lag of a character when the port has handed over `found` characters at once.
 inline NoticeDelay noticeDelayOf(ReceiveNotice notice, unsigned found) {
   constexpr int16_t Early = -15;  // the middle of the first of two stop bits
   constexpr int16_t Late = 10;    // an interrupt comes late by so much while others run
@@ -34,12 +35,13 @@ inline NoticeDelay noticeDelayOf(ReceiveNotice notice, unsigned found) {
           static_cast<int16_t>(notice == ReceiveNotice::Fifo ? Shown : idle + Late)};
 }
 
-// The bounds of the time at which a frame ended, us.
+/// The bounds of the time at which a frame ended, us.
 struct FrameEnd {
-  uint32_t earliest, latest;
+  uint32_t earliest;  ///< not before
+  uint32_t latest;    ///< not after
 };
 
-// Returns when a frame ended if its end was among the `found` characters of a poll at `by`, but not of one at `before`.
+/// Returns when a frame ended if its end was among the `found` characters of a poll at `by`, but not of one at `before`.
 inline FrameEnd frameEndOf(ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
   if (notice == ReceiveNotice::Unknown) {
     return {by - UINT16_MAX, by};
@@ -48,9 +50,9 @@ inline FrameEnd frameEndOf(ReceiveNotice notice, unsigned found, uint32_t before
   return {before - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least)};
 }
 
-// Returns when a frame ended, for a port that called back at `before` and at `by`, with `found` characters between the
-// two. Other interrupts may delay a callback: both calls must predict the same end within 40 us, and the earlier
-// prediction counts.
+/// Returns when a frame ended, for a port that called back at `before` and at `by`, with `found` characters between the
+/// two. Other interrupts may delay a callback: both calls must predict the same end within 40 us, and the earlier
+/// prediction counts.
 inline FrameEnd frameEndOfCallback(ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t DelayMax = 40;  // us
   const uint32_t end = by - (notice == ReceiveNotice::Dma16 && found % HalfRing != 0 ? CharacterTime : 0);
