@@ -49,7 +49,7 @@ constexpr uint8_t WantedBurst = 8;
 constexpr uint8_t idleCharacters(ReceiveNotice notice) {
   return notice == ReceiveNotice::EachCharacter || notice == ReceiveNotice::Fifo ? 0
          : notice == ReceiveNotice::Dma16                                        ? 1
-                                                                                 : MostIdleCharacters;
+                                                                                 : IdleCharactersMax;
 }
 
 // ---- Pins

@@ -176,7 +176,7 @@ struct Frame16 {
   static constexpr bool HasSlots = true;             ///< telemetry slots may follow: S.BUS2
   static constexpr bool HasExtra = false;            ///< frames with extra channels are accepted
   static constexpr bool ZeroMeansLost = false;       ///< unpack() leaves the channels of some lost frames alone
-  static constexpr unsigned LongestSpread = 22;      ///< characters: 16 of a frame spread over 4 ms, and a gap
+  static constexpr unsigned SpreadMax = 22;          ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
   /// of 3.
   static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }
@@ -200,7 +200,7 @@ struct Frame24 {
   static constexpr bool HasSlots = false;              ///< no telemetry
   static constexpr bool HasExtra = false;              ///< no extra channels
   static constexpr bool ZeroMeansLost = false;         ///< see Frame16
-  static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
+  static constexpr unsigned SpreadMax = 19;            ///< characters: 16, an idle one, and a gap
   /// Returns `count`: no receiver spreads these frames.
   static constexpr unsigned spread(unsigned count) { return count; }
   /// Returns the flags of a frame.

@@ -77,7 +77,7 @@ struct Candidate {
 /// isExactlyNext() matter only on unusual lines.
 namespace rules {
 
-constexpr int MostNoise = 4;  ///< characters in a row that may be noise
+constexpr int NoiseMax = 4;  ///< characters in a row that may be noise
 /// Candidate::distance of the first character on a line, or after a long silence.
 constexpr int FirstDistance = 2;
 
@@ -159,7 +159,7 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
 /// and not just a frame's number of them, which are a frame with header 2F.
 template <typename Format>
 SBUS_IN_LINE bool silenceMayProve(const Candidate<Format> &c, int inner) {
-  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= MostNoise || c.distance == FrameSize);
+  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= NoiseMax || c.distance == FrameSize);
 }
 
 /// Returns true if this may be the break that some receivers send after each frame and each slot (a Futaba R7008SB).
@@ -185,7 +185,7 @@ SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
 /// Returns true if more characters follow than noise has, and no header is the second of them.
 template <typename Format>
 SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
-  return c.count > c.size() + MostNoise && c.bytes[c.size() + 1] != HeaderByte;
+  return c.count > c.size() + NoiseMax && c.bytes[c.size() + 1] != HeaderByte;
 }
 
 // ---- The verdict

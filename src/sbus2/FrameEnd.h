@@ -41,7 +41,8 @@ struct FrameEnd {
   uint32_t latest;    ///< not after
 };
 
-/// Returns when a frame ended if its end was among the `found` characters of a poll at `by`, but not of one at `before`.
+/// Returns when a frame ended if its end was among the `found` characters of a poll at `by`, but not of one at
+/// `before`.
 inline FrameEnd frameEndOf(ReceiveNotice notice, unsigned found, uint32_t before, uint32_t by) {
   if (notice == ReceiveNotice::Unknown) {
     return {by - UINT16_MAX, by};
