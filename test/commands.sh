@@ -146,6 +146,10 @@ check '^first flies, 0 changes; first: ' 'until_says "^first flies" make demo SK
 check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" 'make demo SKETCH=examples/NAME'
 check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
 
+check '^formatted$' 'git -C "$root" rev-parse -q --verify HEAD >/dev/null || echo "skipped: this is no clone"
+  git clone -q "$root" formatted && cd formatted &&
+  { make format 2>said || { grep -q "clang-format 14 is needed" said && echo "skipped: there is no clang-format 14 here"; }; } &&
+  git diff --quiet && echo formatted' 'make format'
 check '^Makefile$' 'git -C "$root" rev-parse -q --verify HEAD >/dev/null || echo "skipped: this is no clone"
   git clone -q "$root" DecodeSBus && cd DecodeSBus && ls' "git clone $(sed -n 's/^url=//p' library.properties) DecodeSBus && cd DecodeSBus"
 # There is no adapter here: the path is compared with the source of what `sbus ports` prints.
