@@ -10,7 +10,6 @@
 #include "FrameBuffer.h"
 #include "FrameRules.h"
 #include "LineTiming.h"
-#include "Slots.h"
 
 namespace sbus {
 
@@ -76,7 +75,7 @@ class FrameFinderOf : private Events {
   void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = IdleCharactersMax) {
     _timing.reset(now, characterTime, idleCharacters);
     _sizeCheck.reset();
-    _variant = UnknownVariant;
+    _variant = NoVariant;
     _aligned = false;
     _hasBreaks = false;
     _unread = 0;
@@ -152,7 +151,7 @@ class FrameFinderOf : private Events {
       gapBefore(Silence::Gap);
       return nullptr;
     }
-    const bool isProof = _variant != UnknownVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
+    const bool isProof = _variant != NoVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
     return acceptAfterSilence(isProof ? Silence::Gap : Silence::Likely);
   }
 
@@ -205,11 +204,11 @@ class FrameFinderOf : private Events {
 
  private:
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
-  static constexpr int JudgedWorth = 4;            // a header that judge() rejects costs as much as four without an end
-  static constexpr int FarOff = FrameSize24 + 1;   // characters: the most that _expectedAt counts
-  static constexpr uint32_t Unsteady = 2500;       // us: a frame is late by less, parts of two by 4 ms or more
-  static constexpr uint32_t LongestFrame = 5000;   // us, with some reserve for a period that is not steady
-  static constexpr int32_t PeriodMin = 5376;  // us: an X8R has 6 ms; what is shorter comes from late polls
+  static constexpr int JudgedWorth = 4;           // a header that judge() rejects costs as much as four without an end
+  static constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
+  static constexpr uint32_t Unsteady = 2500;      // us: a frame is late by less, parts of two by 4 ms or more
+  static constexpr uint32_t FrameMax = 5000;      // us, with some reserve for a period that is not steady
+  static constexpr int32_t PeriodMin = 5376;      // us: an X8R has 6 ms; what is shorter comes from late polls
 
   // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
   __attribute__((noinline)) static void countUp(uint32_t &counter) { counter++; }
@@ -254,9 +253,9 @@ class FrameFinderOf : private Events {
     if (!Events::seesEachGap()) {
       _sizeCheck.forget();
     }
-    if (_sizeCheck.gap(filled, _variant == UnknownVariant)) {
+    if (_sizeCheck.gap(filled, _variant == NoVariant)) {
       countUp(_counters.otherSizeFrames);
-      _variant = UnknownVariant;
+      _variant = NoVariant;
       _aligned = false;  // out of sync: isExactlyNext() needs a variant
     }
   }
@@ -308,7 +307,7 @@ class FrameFinderOf : private Events {
   // half.
   bool isLate() const {
     const uint32_t since = _timing.lastPoll() - _completeAfter;
-    return LineTiming::ClockRuns && isDue() && static_cast<int32_t>(since + LongestFrame - 2 * _counters.period) < 0;
+    return LineTiming::ClockRuns && isDue() && static_cast<int32_t>(since + FrameMax - 2 * _counters.period) < 0;
   }
 
   // Drops the incoming frame, because the port has lost bytes after it.
@@ -381,7 +380,7 @@ class FrameFinderOf : private Events {
     for (const int last = _buffer.filled() - Size; start <= last;) {
       int step = 1, worth = 1;
       const uint8_t variant = variantAt(start);
-      if (variant != UnknownVariant) {
+      if (variant != NoVariant) {
         Verdict verdict = judge(start, variant);
         if (verdict.isAccepted() && rules::mayEndInBreak<Format>(variant, _hasBreaks)) {  // in judge(): 56 bytes more
           _hasBreaks = false;
@@ -439,16 +438,16 @@ class FrameFinderOf : private Events {
     return from;
   }
 
-  // Returns the variant whose form the 25 bytes at `start` have, or UnknownVariant.
+  // Returns the variant whose form the 25 bytes at `start` have, or NoVariant.
   uint8_t variantAt(int start) {
     const uint8_t variant = variantOf(_buffer[start + EndAt]);
-    if (variant == UnknownVariant) {
+    if (variant == NoVariant) {
       countUp(_counters.rejectedByEnd);
       Events::rejected(start, Rejection::NoEnd);
     } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
       countUp(_counters.rejectedByFlags);
       Events::rejected(start, Rejection::Flags);
-      return UnknownVariant;
+      return NoVariant;
     }
     return variant;
   }
@@ -499,11 +498,11 @@ class FrameFinderOf : private Events {
 
   static uint8_t variantOf(uint8_t end) {
     const uint8_t variant = variantOfEnd(end);
-    return Format::Variants == VariantCount || variant < Format::Variants ? variant : UnknownVariant;
+    return Format::Variants == VariantCount || variant < Format::Variants ? variant : NoVariant;
   }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
-  uint8_t _variant;    // of the line: a row of LineVariants, or UnknownVariant
+  uint8_t _variant;    // of the line: a row of LineVariants, or NoVariant
   bool _aligned;       // the last frame was aligned
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll

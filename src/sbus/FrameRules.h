@@ -8,7 +8,6 @@
 #include "FrameSizeCheck.h"
 #include "Frame.h"
 #include "LineTiming.h"
-#include "Slots.h"
 
 /// For functions that cost more to call than to inline.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline
@@ -59,7 +58,7 @@ struct Candidate {
   Silence inside;        ///< what the gaps inside before that one are: FrameBuffer::inside()
   bool isPlaced;         ///< a wide gap comes before it, or it is in sync and in time: parts of two frames come later
   uint8_t variant;       ///< of its end byte, a row of LineVariants
-  uint8_t lineVariant;   ///< of the line, or UnknownVariant
+  uint8_t lineVariant;   ///< of the line, or NoVariant
   int distance;          ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
   bool isInSync;         ///< it follows an aligned frame directly
 
@@ -123,8 +122,8 @@ SBUS_IN_LINE bool hasSlots(uint8_t variant) {
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   const bool isLate = c.distance != 0 && !(c.hasLineVariant() && hasSlots<Format>(c.variant));
-  return (c.lineVariant == UnknownVariant || isLate) &&
-         (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
+  return (c.lineVariant == NoVariant || isLate) &&
+         (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & EndByteZeros) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
 template <typename Format>
@@ -154,7 +153,7 @@ SBUS_IN_LINE bool areSlots(const uint8_t *at) {
 }
 
 /// Returns the index of a header after an end byte inside it, where the next frame may begin; otherwise Size. Any end
-/// byte counts while the line's variant is unknown, and so do three slots (54 bytes on an AVR, 80 on a Cortex-M0+).
+/// byte counts while the line's variant is unknown, and so do three slots (18 bytes on an AVR, 124 on a Cortex-M0+).
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
   if (c.hasLineVariant() || Format::Variants == 1) {
@@ -165,7 +164,7 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
       return i;
     }
   }
-  return innerHeader(c.bytes, Format::Size, UnknownVariant);
+  return innerHeader(c.bytes, Format::Size, NoVariant);
 }
 
 /// Returns true if its characters only came late, and it ends where the next frame may begin: the rest of another frame

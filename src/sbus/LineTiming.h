@@ -109,7 +109,7 @@ class LineTiming {
   uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }
 
   static constexpr unsigned LongSilence = 50000;  ///< us: longer than any frame period
-  static constexpr unsigned StopMax = 1500;   ///< us: no sender is silent for longer within a frame
+  static constexpr unsigned StopMax = 1500;       ///< us: no sender is silent for longer within a frame
 
   /// Takes a time at which the bytes that wait do not yet complete a frame.
   void incomplete(uint32_t now) { _lastPoll = now; }
@@ -158,15 +158,15 @@ class LineTiming {
     const unsigned silence = capped(_lastPoll - _lastBytes);
     return silence <= burstTime<Format>(BurstMax) ? Silence::Unknown
            : endsFrame(silence, BurstMax)         ? Silence::Wide
-                                                      : Silence::Gap;
+                                                  : Silence::Gap;
   }
 
  private:
   static constexpr uint16_t HasEmptyPolls = UINT16_MAX;
   static constexpr uint32_t HalfClock = INT32_MAX;   // us: a Cortex-M0+ compares with the sign
-  static constexpr unsigned IntervalMax = 8000;  // us between polls; above it no gap is certain
+  static constexpr unsigned IntervalMax = 8000;      // us between polls; above it no gap is certain
   static constexpr unsigned AssumedInterval = 4000;  // us between polls, while none was shorter than IntervalMax
-  static constexpr unsigned BurstMax = 16;       // characters: the most that a port hands over at once
+  static constexpr unsigned BurstMax = 16;           // characters: the most that a port hands over at once
   static constexpr unsigned Gap = 2;                 // characters
 
   // Some senders stretch a frame: 240 us from one character to the next, or silences of half a millisecond
@@ -181,9 +181,7 @@ class LineTiming {
   static bool isLong(unsigned silence) { return silence >= LongSilence; }
 
   // Returns how many of `found` characters the port may have held back before it handed them over.
-  unsigned burst(unsigned found) const {
-    return _idleCharacters == 0 ? 1 : found < BurstMax ? found : BurstMax;
-  }
+  unsigned burst(unsigned found) const { return _idleCharacters == 0 ? 1 : found < BurstMax ? found : BurstMax; }
 
   // Returns true if no sender is silent for so long within a frame.
   bool endsFrame(unsigned silence, unsigned found) const {

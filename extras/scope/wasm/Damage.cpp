@@ -1,6 +1,7 @@
 #include "Damage.h"
 
 #include "sbus/FrameRules.h"
+#include "sbus2/Slots.h"
 
 namespace scope {
 
