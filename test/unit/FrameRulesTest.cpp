@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sbus/FrameRules.h"
+#include "sbus2/Slots.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 #include "support/ShowArrays.h"
