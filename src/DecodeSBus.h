@@ -6,9 +6,8 @@
 #include <Arduino.h>
 #include <limits.h>
 
-#include "SBusPort.h"
 #include "port/Clock.h"
-#include "port/ListeningPort.h"
+#include "port/CallbackPort.h"
 #include "port/PortReader.h"
 #include "sbus/Barrier.h"
 #include "sbus/FrameFinder.h"
@@ -41,8 +40,8 @@ class LinkQuality;
 /// other boards: extras/docs/interrupts.md.
 template <typename Format, typename Events = sbus::NoEvents, typename Polling = sbus::PolledByLoop>
 class DecodeSBusOf : protected Polling,
-                     protected sbus::PortReader<Format, Events, sbus::ListeningPort, sbus::ClockedLink> {
-  using Reader = sbus::PortReader<Format, Events, sbus::ListeningPort, sbus::ClockedLink>;
+                     protected sbus::PortReader<Format, Events, sbus::CallbackPort, sbus::ClockedLink> {
+  using Reader = sbus::PortReader<Format, Events, sbus::CallbackPort, sbus::ClockedLink>;
 
  public:
   template <typename Other>
@@ -86,16 +85,16 @@ class DecodeSBusOf : protected Polling,
   /// classic ESP32 belong to its flash (extras/docs/boards.md).
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted) {
     this->stopPolling();
-    _port.enter();
+    _port.tryLock();
     open(baud, config);
     start(baud);
   }
 
   /// Starts on a port that the sketch has opened with `baud`, such as a SoftwareSerial, and forgets all frames and
-  /// counters. What waits there counts as new: if it may be old, read it first.
+  /// counters. Pending bytes count as new: if they may be old, read them first.
   void listen(unsigned long baud = sbus::Baud) {
     this->stopPolling();
-    _port.enter();
+    _port.tryLock();
     start(baud);
   }
 
@@ -103,7 +102,7 @@ class DecodeSBusOf : protected Polling,
   /// forever. The last frame can be decoded until it is stale.
   void end() {
     this->stopPolling();
-    _port.enter();
+    _port.tryLock();
     _port.close();
     _port.stop();
     _link.stop();
@@ -117,7 +116,7 @@ class DecodeSBusOf : protected Polling,
   bool read(Frame &frame) {
     const Lock lock(*this);
     pollAll(false);
-    return fill(frame);
+    return writeTo(frame);
   }
 
   /// Reads the port's pending bytes, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
@@ -217,8 +216,8 @@ class DecodeSBusOf : protected Polling,
  protected:
   /// @cond  For the classes of this library.
 
-  // Keeps other contexts from polling: each public method has one that reads or writes what a poll writes. begin(),
-  // listen() and end() must not: they stop and start the polling. The methods below have none.
+  // Keeps other contexts from polling. Public methods that touch what a poll writes take one; begin(), listen() and
+  // end() stop the polling instead. The methods below assume one.
   using Lock = typename Polling::Lock;
 
   using Reader::_finder;
@@ -243,8 +242,7 @@ class DecodeSBusOf : protected Polling,
     return state(age);
   }
 
-  // Returns the state of the link, and the age of the newest frame, us. If a frame comes meanwhile, they belong to
-  // neither: then all is read again.
+  // Returns the state of the link, and the age of the newest frame, us. Retries if a frame comes in between.
   sbus::LinkState state(uint32_t &age) {
     for (;;) {
       const uint32_t time = _finder.frameTime();
@@ -252,7 +250,7 @@ class DecodeSBusOf : protected Polling,
       age = _link.age(_link.ageOf(time));
       const sbus::LinkState state = _link.state(age);
       sbus::barrier();
-      if (!sbus::ListeningPort::Calls || time == _finder.frameTime()) {
+      if (!sbus::CallbackPort::HasCallback || time == _finder.frameTime()) {
         constexpr uint32_t Old = 100000;  // us
         if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || age >= Old)) {
           pollAll(false);  // if the port's call was lost, the next one comes only after a poll
@@ -262,8 +260,8 @@ class DecodeSBusOf : protected Polling,
     }
   }
 
-  // The age is asked for first: a frame that comes in between is younger.
-  bool fill(Frame &frame) {
+  // Reads the age first: a frame that comes in between is younger.
+  bool writeTo(Frame &frame) {
     const uint32_t before = _decoded;
     uint32_t age;
     const sbus::LinkState now = state(age);
@@ -286,9 +284,10 @@ class DecodeSBusOf : protected Polling,
       const uint8_t *const frame = _finder.newest();
       Format::unpack(frame, channels);
       lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
-      failsafe = _link.isLost() || (Format::ZeroMeansLost && sbus::hasNoPulses(channels));  // the array has kept none
+      failsafe =
+          _link.isFailsafe() || (Format::ZeroMeansLost && sbus::hasNoPulses(channels));  // the array has kept none
       sbus::barrier();
-    } while (sbus::ListeningPort::Calls && number != _finder.counters().frames);
+    } while (sbus::CallbackPort::HasCallback && number != _finder.counters().frames);
     _decoded = number;
   }
 
@@ -296,7 +295,7 @@ class DecodeSBusOf : protected Polling,
   // begin() has emptied its own: stm32l0_uart.c:846.)
   void open(unsigned long baud, uint32_t config) {
     _port.open(baud, config);
-    const bool mayHold = !sbus::ListeningPort::Calls && baud > sbus::SlowestBaud;
+    const bool mayHold = !sbus::CallbackPort::HasCallback && baud > sbus::SlowestBaud;
     for (int waiting = mayHold ? _port.available() : 0; waiting > 0; waiting--) {
       _port.stream().read();
     }
@@ -317,7 +316,7 @@ class DecodeSBusOf : protected Polling,
   template <typename Object>
   void startCallbacks(void (Object::*method)(), Object *object) {
     const bool callsBack = _port.start(method, object);
-    _port.leave();
+    _port.unlock();
     if (callsBack) {
       pollAll(false);
     }
@@ -347,3 +346,21 @@ using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 /// until a frame comes that is not lost, and while CH1 to CH4 of the sketch's array are 0. A FrSky receiver that is set
 /// to "No pulses" may send these frames, and does not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;
+
+namespace sbus {
+
+/// Returns true if begin() opens this port inverted; otherwise the line needs an inverter, or the sketch that opens the
+/// port inverts it. extras/docs/boards.md lists the result for each board.
+template <typename Port>
+constexpr bool inverts(Port &) {
+  return KindOf<Port>::Inverts;
+}
+
+/// Returns true if begin() can open this port inverted and uninverted, any number of times: on an ESP32 or ESP8266 on
+/// the pins given to DecodeSBus's constructor, or on the core's.
+template <typename Port>
+constexpr bool opensBothWays(Port &) {
+  return KindOf<Port>::BothWays;
+}
+
+}  // namespace sbus

@@ -5,7 +5,7 @@
 #include "DecodeSBus.h"
 
 #if !defined(SBUS_STM32L0)
-#include "port/Ticker.h"
+#include "port/timer/PolledByTimer.h"
 #if !defined(SBUS_TICKER)
 #error "DecodeSBusBackground knows no timer of this core. Poll a DecodeSBus in loop(): extras/docs/interrupts.md"
 #elif defined(SBUS_SENSOR)

@@ -4,7 +4,7 @@
 
 #include <Arduino.h>
 
-#include "SBusPort.h"
+#include "port/Port.h"
 #include "sbus/Frame.h"
 
 /// Sends to one serial port. A sketch needs two calls:
@@ -45,8 +45,8 @@ class EncodeSBusOf {
 
   /// Sets the frame period, 0..65535 us; more counts as 65535. Default: 9000 us. A frame takes 3000 us (1500 us at
   /// 200000 baud), or 4320 us with 24 channels. Receivers need a gap after it, so set at least 4000 us (2000 us), or
-  /// 6000 us for 24 channels. To forward a receiver's frames set that: with the receiver's own period, half the
-  /// calls come a little too early, and send nothing.
+  /// 6000 us for 24 channels. To forward a receiver's frames set this least period: with the receiver's own, half
+  /// the calls come a little too early, and send nothing.
   void setPeriod(unsigned long us) { _period = static_cast<uint16_t>(us < UINT16_MAX ? us : UINT16_MAX); }
 
   /// Sends a frame if the period is over and the port takes the whole frame, and then returns true. The first call

@@ -22,7 +22,7 @@ void SBus2Sensor::listen(unsigned long baud) {
 }
 
 void SBus2Sensor::stop() {
-  _port.enter();
+  _port.tryLock();
   _isTimed = false;
   sbus::barrier();
   sbus::SlotTimer::stop(this);
@@ -38,24 +38,24 @@ void SBus2Sensor::start(unsigned long baud) {
 
 void SBus2Sensor::end() {
   stop();
-  _finder.events().skip();
+  schedule().skip();
   Decoder::end();
 }
 
 // A poll shortly before a slot waits for its start: delayMicroseconds() is exact to some us, the next poll is not.
 void SBus2Sensor::parseSBusFrame() {
-  constexpr int32_t LongestWait = 100;  // us
+  constexpr int32_t WaitMax = 100;  // us
   if (_isTimed) {
     return;  // due() does all that
   }
   checkClock(_clockCheck.mayHaveStopped());
   receive(false);
   _isLate = false;
-  if (!_port.enter()) {
+  if (!_port.tryLock()) {
     return;
   }
-  answerWithin(LongestWait);
-  if (_port.leave()) {
+  answerWithin(WaitMax);
+  if (_port.unlock()) {
     receive(true);
   }
 }
@@ -63,17 +63,17 @@ void SBus2Sensor::parseSBusFrame() {
 // While interrupts are off micros() may stand still: timestamps taken before are then invalid.
 void SBus2Sensor::checkClock(bool isLate) {
   if (isLate) {
-    _finder.events().skip();
+    schedule().skip();
     _isLate = true;
   }
 }
 
 void SBus2Sensor::answerWithin(int32_t wait) {
-  if (!_finder.events().isPlanned()) {
+  if (!schedule().isPlanned()) {
     return;
   }
   const uint32_t now = micros() + sbus::PollLead;
-  const int32_t until = static_cast<int32_t>(_finder.events().due() - now);
+  const int32_t until = static_cast<int32_t>(schedule().due() - now);
   if (until > wait) {
     return;
   }
@@ -81,11 +81,11 @@ void SBus2Sensor::answerWithin(int32_t wait) {
     sbus::SlotTimer::wait(static_cast<uint32_t>(until));
   }
   const sbus::SlotTimer::CriticalSection section;
-  answer(section.start(until > 0 ? _finder.events().due() : now));
+  answer(section.start(until > 0 ? schedule().due() : now));
 }
 
 __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) {
-  sbus::SlotSchedule &answers = _finder.events();
+  sbus::SlotSchedule &answers = schedule();
   const bool cameAtOnceBefore = _cameAtOnce;  // the callback before: two that are equally late would look consistent
   _cameAtOnce = fromCallback && sbus::SlotTimer::cameAtOnce();
   const uint16_t found = answers.pollFound();
@@ -110,23 +110,23 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) 
   if (frames != _timedFrame + 1 || apart > Widest) {
     _interval.missed();
   }
-  if (apart <= sbus::SlotSchedule::MostOff) {
+  if (apart <= sbus::SlotSchedule::DeviationMax) {
     _timedFrame = frames;
     _interval.frame(end.earliest + apart / 2, answers.outcome());
   } else if (apart <= Widest) {
     _interval.endedBetween(end.earliest, end.latest);
   }
-  constexpr uint16_t Taken = FrameTime + sbus::SlotSchedule::MostOff;  // us: an interval is known to 0.1 ms
+  constexpr uint16_t Taken = FrameTime + sbus::SlotSchedule::DeviationMax;  // us: an interval is known to 0.1 ms
   const uint16_t interval = _interval.shortest();
   answers.plan(end.earliest, end.latest, interval > Taken ? interval - Taken : 0);
 }
 
 // If the port calls meanwhile, what it has found is planned afterwards.
 void SBus2Sensor::receive(bool fromCallback) {
-  while (_port.enter()) {
-    poll(sbus::ListeningPort::Calls && fromCallback);
+  while (_port.tryLock()) {
+    poll(sbus::CallbackPort::HasCallback && fromCallback);
     plan(fromCallback);  // inlined: on an AVR the polls must not be farther apart
-    if (!_port.leave()) {
+    if (!_port.unlock()) {
       return;
     }
     fromCallback = true;
@@ -148,7 +148,7 @@ void SBus2Sensor::due(void *sensor) {
   }
   constexpr int32_t Close = 10;  // us
   const uint32_t start = micros() + TimerLead;
-  if (static_cast<int32_t>(self._finder.events().due() - start) <= Close) {
+  if (static_cast<int32_t>(self.schedule().due() - start) <= Close) {
     self.answer(start);
   }
   self.armTimer();
@@ -157,21 +157,20 @@ void SBus2Sensor::due(void *sensor) {
 // Returns how many us from now the timer must call for the next slot: a little early, as answerWithin() waits for it.
 int32_t SBus2Sensor::untilDue() const {
   constexpr uint32_t Sooner = 20;
-  return static_cast<int32_t>(_finder.events().due() - micros() - sbus::PollLead - Sooner);
+  return static_cast<int32_t>(schedule().due() - micros() - sbus::PollLead - Sooner);
 }
 
 // Sends first. Shortly before a slot it does not read the port, which may take an AVR 0.3 ms: it only counts the
-// pending bytes, twice. The two looks are so far apart that a frame's character would come in between, and so close to
-// the slot that the slot before has ended. While a frame's end is expected it does not return to loop(): polls would be
-// too rare.
+// pending bytes, twice: a frame's character would come between the two looks, and both are so close to the slot that
+// the slot before has ended. While a frame's end is expected it does not return to loop(): polls would be too rare.
 void SBus2Sensor::tick() {
-  constexpr int32_t LongestWait = 40;                   // us
+  constexpr int32_t WaitMax = 40;                       // us
   constexpr int32_t ReadingTime = 400;                  // us
   constexpr int32_t LookAhead = 180, LatestLook = 110;  // us
-  sbus::SlotSchedule &answers = _finder.events();
+  sbus::SlotSchedule &answers = schedule();
   uint32_t poll = 0;
   checkClock(sbus::SlotTimer::isLate());
-  answerWithin(LongestWait);
+  answerWithin(WaitMax);
   if (!answers.isPlanned() || untilDue() > ReadingTime) {
     do {
       if (sbus::SlotTimer::isLocked()) {
@@ -195,8 +194,8 @@ void SBus2Sensor::tick() {
 }
 
 void SBus2Sensor::armTimer() {
-  if (_isTimed && _finder.events().isPlanned()) {
-    const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - TimerLead);
+  if (_isTimed && schedule().isPlanned()) {
+    const int32_t until = static_cast<int32_t>(schedule().due() - micros() - TimerLead);
     sbus::SlotTimer::callIn(until > 0 ? static_cast<uint32_t>(until) : 0);
   }
 }
@@ -210,18 +209,18 @@ bool SBus2Sensor::isLineIdle(uint32_t now) {
 
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
-  const bool mayStart = !_finder.events().isPlanned() || isLineIdle(now);
+  const bool mayStart = !schedule().isPlanned() || isLineIdle(now);
   _sampled = NotSampled;
   if (!mayStart) {
-    _finder.events().skip();
+    schedule().skip();
     return;
   }
-  if (!_finder.events().start(now, characters)) {
+  if (!schedule().start(now, characters)) {
     return;
   }
   const bool isSent =
       _isTimed ? sbus::SlotTimer::send(characters, sizeof characters) : _port.write(characters, sizeof characters);
   if (!isSent) {
-    _finder.events().unsent();
+    schedule().unsent();
   }
 }

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "DecodeSBusTelemetry.h"
-#include "port/ReceiveNotice.h"
-#include "port/SlotTimer.h"
+#include "port/timer/SlotTimer.h"
 #include "sbus2/FrameInterval.h"
 #include "sbus2/SlotSchedule.h"
 
@@ -74,17 +73,14 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   /// See DecodeSBusOf().
   template <typename Port>
   explicit SBus2Sensor(Port &port)
-      : Decoder(port), _stream(port), _start(start<Port>), _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {
+      : Decoder(port), _stream(port), _start(start<Port>), _notice(sbus::KindOf<Port>::Notice) {
     static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
   }
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
   SBus2Sensor(Port &port, int8_t rx, int8_t tx)
-      : Decoder(port, rx, tx),
-        _stream(port),
-        _start(start<Port>),
-        _notice(sbus::noticeOf(&port, &port, sbus::Rank<2>())) {}
+      : Decoder(port, rx, tx), _stream(port), _start(start<Port>), _notice(sbus::KindOf<Port>::Notice) {}
 
   /// Remembers `port`, and uses its TX as the line itself, without a diode; RX stays free:
   /// `SBus2Sensor dSBus(Serial1, sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do
@@ -120,7 +116,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   bool read(Frame &frame) {
     parseSBusFrame();
     const Lock lock(*this);
-    return fill(frame);
+    return writeTo(frame);
   }
 
   // ---- Answering
@@ -134,26 +130,26 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
     sbus::SlotData data[Sensor::Slots];
     const bool fits = sensor.encode(data);
     const sbus::SlotTimer::OtherCoreLock lock;
-    return _finder.events().write(slot, Sensor::Slots, data) && fits;
+    return schedule().write(slot, Sensor::Slots, data) && fits;
   }
 
   /// Stops answering in `count` slots from slot `slot` on. The radio then shows that the sensor is gone.
   void stopSensor(uint8_t slot, uint8_t count) {
     const sbus::SlotTimer::OtherCoreLock lock;
-    _finder.events().stop(slot, count);
+    schedule().stop(slot, count);
   }
 
   /// Returns how many slots have been sent since begin().
-  uint32_t sentSlots() const { return _finder.events().sent(); }
+  uint32_t sentSlots() const { return schedule().sent(); }
 
   /// Returns how many slots have been skipped since begin(), because their time was not known or had passed.
-  uint32_t skippedSlots() const { return _finder.events().skipped(); }
+  uint32_t skippedSlots() const { return schedule().skipped(); }
 
   /// Returns how often since begin() something other than the answers came back: another sensor has the same slot, or
   /// the line was disturbed. Each time the sensor then only listens for a while, 16 to 1024 frames. If RX does not hear
   /// TX, as on a single wire, it counts only what RX hears in addition: another sensor that sends in the same slot at
   /// the same time goes unnoticed.
-  uint32_t collisions() const { return _finder.events().collisions(); }
+  uint32_t collisions() const { return schedule().collisions(); }
 
  private:
   friend class sbus::LinkQuality;  // for clock()
@@ -164,6 +160,10 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   }
 
   static constexpr int16_t NotSampled = -1;
+
+  // The finder holds it, as what learns of each byte.
+  sbus::SlotSchedule &schedule() { return _finder.events(); }
+  const sbus::SlotSchedule &schedule() const { return _finder.events(); }
 
   void stop();
   void start(unsigned long baud);

@@ -57,6 +57,7 @@ class SBusPin : public Stream {
   struct PortKind : sbus::Kind {
     static constexpr bool Inverts = true, BothWays = true, Sends = false;
     static constexpr unsigned Buffer = 4 * sbus::EdgeDecoder::Room;  // never full: read() tells a loss
+    static constexpr sbus::ReceiveNotice Notice = sbus::ReceiveNotice::EachCharacter;  // from its first stop bit on
     template <typename Port, typename Pins>
     static unsigned open(Port &port, unsigned long baud, sbus::Config config, Pins) {
       port.end();

@@ -15,7 +15,7 @@ printf '\nuses: every public function is used by a sketch; keywords\n'
 cd src || exit 1
 functions=$(sed -nE '/@cond/,/@endcond/d; /^ (protected|private):/,/^};/d; /^ *(return|friend|explicit) /d
   s,^ {0\,2}[A-Za-z][A-Za-z0-9_: ]* [*&]?([a-zA-Z]+)\(.*,\1,p' \
-  DecodeSBus.h DecodeSBus32.h DecodeSBusBackground.h DecodeSBusTelemetry.h DecodeSBusDiagnosis.h SBus2Sensor.h EncodeSBus.h SBusPort.h SBusUart.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/LinkQuality.h sbus/ReceiverChoice.h sbus/Scaling.h sbus/Trainer.h | sort -u)
+  DecodeSBus.h DecodeSBus32.h DecodeSBusBackground.h DecodeSBusTelemetry.h DecodeSBusDiagnosis.h SBus2Sensor.h EncodeSBus.h SBusBoard.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/LinkQuality.h sbus/ReceiverChoice.h sbus/Scaling.h sbus/Trainer.h | sort -u)
 for name in $functions; do
   if echo "$code" | grep -qE "\b$name\("; then
     echo "ok uses: $name()"
@@ -25,8 +25,8 @@ for name in $functions; do
 done
 
 # What differs between cores stands in port/Core.h.
-chips=$(grep -lE '^#.*\b(__AVR__|ARDUINO_ARCH_[A-Za-z0-9]+|ESP32|ESP8266|CORE_TEENSY|__IMXRT1062__|PICO_SDK_VERSION_MAJOR)\b' ./*.h ./*.cpp */*.h */*.cpp |
-  grep -vxE '\./SBusUart\.h|port/Core\.h|sbus/Text\.h')
+chips=$(grep -lE '^#.*\b(__AVR__|ARDUINO_ARCH_[A-Za-z0-9]+|ESP32|ESP8266|CORE_TEENSY|__IMXRT1062__|PICO_SDK_VERSION_MAJOR)\b' ./*.h ./*.cpp */*.h */*.cpp */*/*.h */*/*.cpp |
+  grep -vxE '\./SBusBoard\.h|port/Core\.h|sbus/Text\.h')
 if [ -z "$chips" ]; then echo "ok uses: port/Core.h alone names cores"; else echo "FAILED uses: these name a core: $chips"; fi
 
 # Two words joined are special enough; begin, high or None are not.

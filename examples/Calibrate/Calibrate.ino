@@ -8,7 +8,7 @@
 */
 
 #include <DecodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <sbus/Calibrator.h>
 
 #include "Guide.h"

@@ -9,7 +9,7 @@
 */
 
 #include <DecodeSBusDiagnosis.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <sbus/Diagnosis.h>
 
 DecodeSBusDiagnosis dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md

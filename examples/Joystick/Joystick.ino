@@ -14,7 +14,7 @@
 */
 
 #include <DecodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 

@@ -14,7 +14,7 @@
 #define SBUS_MAY_TAKE_USB
 
 #include <DecodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <sbus/Scaling.h>
 
 DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md

@@ -8,7 +8,7 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 
 DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 EncodeSBus eSBus(SBUS_UART);

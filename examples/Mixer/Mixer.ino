@@ -11,7 +11,7 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 

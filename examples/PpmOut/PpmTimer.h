@@ -96,10 +96,11 @@ static uint32_t due;  // us, the next edge
 
 // Makes the edge that is due. Returns in how many us the next one is.
 inline uint32_t step() {
-  const uint32_t MostLate = 50;  // us; if it is later, the next part counts from now: no part is cut short to catch up
+  const uint32_t LatenessMax =
+      50;  // us; if it is later, the next part counts from now: no part is cut short to catch up
   makeEdge();
   const uint32_t now = micros();
-  due = (now - due <= MostLate ? due : now) + next.us;
+  due = (now - due <= LatenessMax ? due : now) + next.us;
   next = source->next();
   return due - now;
 }

@@ -14,7 +14,7 @@
 */
 
 #include <EncodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 

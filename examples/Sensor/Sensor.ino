@@ -20,7 +20,7 @@
 */
 
 #include <SBus2Sensor.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 
 SBus2Sensor dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md

@@ -17,7 +17,7 @@
 #define SBUS_MAY_TAKE_USB
 
 #include <DecodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 #if defined(ARDUINO_ARCH_stm32l0)

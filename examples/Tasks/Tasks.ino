@@ -10,7 +10,7 @@
 */
 
 #include <DecodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 
 DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md

@@ -16,7 +16,7 @@
 */
 
 #include <DecodeSBusTelemetry.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <elapsedMillis.h>
 
 DecodeSBusTelemetry dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md

@@ -16,7 +16,7 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 #include <sbus/Trainer.h>
 
 #if !defined(SBUS_SECOND_UART)

@@ -18,7 +18,7 @@ class DetectedVariant {
   void take(Stretch::Kind kind, uint8_t end) {
     const uint8_t variant = kind == Stretch::Kind::Frame24 ? sbus::VariantCount : sbus::variantOfEnd(end);
     _extra += kind == Stretch::Kind::Extra;
-    if (kind == Stretch::Kind::Frame24 || (kind == Stretch::Kind::Frame && variant != sbus::UnknownVariant)) {
+    if (kind == Stretch::Kind::Frame24 || (kind == Stretch::Kind::Frame && variant != sbus::NoVariant)) {
       _frames[variant]++;
     }
   }

@@ -90,7 +90,7 @@ std::string Observer::packets() const {
   if (form.size != sbus::FrameSize) {
     text += "; a frame has 25 bytes";
   }
-  if ((form.first & sbus::AnyHeader) != sbus::HeaderByte) {
+  if ((form.first & sbus::HeaderMask) != sbus::HeaderByte) {
     text += form.first == 0xF0 ? "; a frame begins with 0F: the lowest bit of a byte is sent first"
                                : "; a frame begins with 0F";
   }

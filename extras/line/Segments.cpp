@@ -73,7 +73,7 @@ std::string why(const Stretch &stretch) {
     return text;
   }
   const bool isWhole = characters.size() == sbus::FrameSize;
-  const bool begins = (characters.front().value & sbus::AnyHeader) == sbus::HeaderByte;
+  const bool begins = (characters.front().value & sbus::HeaderMask) == sbus::HeaderByte;
   bool told[std::size(Reasons)] = {};
   for (const Rejected &rejected : stretch.rejected) {
     const auto reason = static_cast<size_t>(rejected.why);

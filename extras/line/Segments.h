@@ -10,7 +10,7 @@
 
 #include "line/Line.h"
 #include "sbus/FrameRules.h"
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 
 namespace line {
 

@@ -37,12 +37,7 @@ class Arrivals {
   bool showsLostFrame(uint64_t nowUs) const { return _held.showsLostFrame(nowUs); }
   bool showsFailsafe(uint64_t nowUs) const { return _held.showsFailsafe(nowUs); }
   // Returns true if the newest one is in failsafe, or ends too long a run of lost frames, like a sketch's `failsafe`.
-  bool inFailsafe() const { return _link.isLost(); }
-  // Returns true if frames arrive, even if some are lost: the newest values are the sticks'.
-  bool hasLink(uint64_t nowUs) {
-    const sbus::LinkState link = state(nowUs);
-    return link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy;
-  }
+  bool inFailsafe() const { return _link.isFailsafe(); }
   // Returns the age of the newest one in us; undefined while state() is NeverSeen.
   uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
   // Returns the number of frames or rows within the last second.

@@ -36,7 +36,7 @@ class Clock {
 
   // Takes a frame that is complete now, with its FrameFinder::frameTime(). Returns true if the board has slept since
   // the frame before: SleepClock::hasSlept(). `time` is earlier than micros(), so it is asked for first.
-  bool took(uint32_t time) {
+  bool noteFrame(uint32_t time) {
     if (!_sleeps.hasEverSlept()) {
       return false;
     }
@@ -88,7 +88,7 @@ class Clock {
  public:
   void start() {}
   void stop() {}
-  static constexpr bool took(uint32_t) { return false; }
+  static constexpr bool noteFrame(uint32_t) { return false; }
   static uint32_t ageOf(uint32_t time) { return micros() - time + ClockStep; }
   static uint32_t now() { return micros(); }
 };

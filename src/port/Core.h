@@ -1,7 +1,7 @@
 /// @file
 /// Which core this is, where its port's class and its macros do not tell enough, and how it names the format of an
 /// S.Bus line: 8 data bits, even parity, 2 stop bits, inverted. No other file of the library names a core or a chip,
-/// except SBusUart.h (boards) and sbus/Text.h (an AVR's flash).
+/// except SBusBoard.h (boards) and sbus/Text.h (an AVR's flash).
 #pragma once
 
 #include <Arduino.h>

@@ -1,6 +1,6 @@
 #include "DmaSender.h"
 
-#include "ReceiveNotice.h"
+#include "../sbus2/FrameEnd.h"
 
 #if defined(SBUS_DMA_SENDER)
 

@@ -43,9 +43,9 @@ class Port : private CoreKind::Pins {
   // cores would divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
     flush();
-    const unsigned half = baud > SlowestBaud ? _open(opened(*this), baud, config) : 0;
-    if (half != 0) {
-      _half = static_cast<uint16_t>(half);
+    const unsigned halfCapacity = baud > SlowestBaud ? _open(opened(*this), baud, config) : 0;
+    if (halfCapacity != 0) {
+      _half = static_cast<uint16_t>(halfCapacity);
     }
   }
 
@@ -76,7 +76,7 @@ class Port : private CoreKind::Pins {
   int available() {
     const int waiting = _stream.available();
     const int most = 2 * _half + 1;
-    return CountsFifo && _hardware != nullptr && waiting > most ? most : waiting;
+    return AvailableIncludesFifo && _hardware != nullptr && waiting > most ? most : waiting;
   }
 
   // Reads up to `size` bytes, at most what available() returned: the STM32L0's core would write past the end of
@@ -91,14 +91,14 @@ class Port : private CoreKind::Pins {
   // Returns the port.
   Stream &stream() { return _stream; }
 
-  // Returns half of the bytes that fill the receive buffer. A core may keep one place free (AVR).
-  unsigned half() const { return _half; }
+  // Returns halfCapacity of the bytes that fill the receive buffer. A core may keep one place free (AVR).
+  unsigned halfCapacity() const { return _half; }
 
   // Returns true if a full buffer loses the newest byte, false if the oldest.
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
 
   // Returns true if bytes may have been lost before the `waiting` ones.
-  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + Late > 2u * _half; }
+  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + ArrivesMeanwhile > 2u * _half; }
 
   // Returns for how many characters the port waits for more before it hands over less than a burst, or seems to wait,
   // as the clock counts.
@@ -130,11 +130,11 @@ class Port : private CoreKind::Pins {
  private:
   using Pins = CoreKind::Pins;
   using Opened = Pins::Opened<Port>;
-  // Returns the new half(), or 0 if that has not changed.
+  // Returns the new halfCapacity(), or 0 if that has not changed.
   using Open = unsigned(Opened &opened, unsigned long baud, uint32_t config);
 
   // Bytes that may come between available() and read(): 3.8 ms of interrupts at 100000 baud.
-  static constexpr unsigned Late = 32;
+  static constexpr unsigned ArrivesMeanwhile = 32;
 
   template <typename Class>
   Port(Class &port, Pins pins)
@@ -142,8 +142,8 @@ class Port : private CoreKind::Pins {
         _stream(port),
         _hardware(hardware(&port)),
         _open(open<Class>),
-        _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
-        _idleCharacters(sbus::idleCharacters(noticeOf(&port, &port, Rank<2>()))) {}
+        _half(static_cast<uint16_t>(halfCapacity(KindOf<Class>::Buffer))),
+        _idleCharacters(sbus::idleCharacters(KindOf<Class>::Notice)) {}
 
   // Waits until the frame that any object has given to the port has gone out; a core waits only for its own write().
   // In a sketch that sends nothing DmaSender::flush() is null, and the sender and the board's other ports are not
@@ -159,18 +159,20 @@ class Port : private CoreKind::Pins {
   static HardwareSerial *hardware(HardwareSerial *port) { return port; }
   static HardwareSerial *hardware(Stream *) { return nullptr; }
 
-  Stream &opened(KeptPins &) { return _stream; }
-  Port &opened(GivenPins &) { return *this; }
+  Stream &opened(NoPins &) { return _stream; }
+  Port &opened(PinPair &) { return *this; }
   static Stream &stream(Stream &port) { return port; }
   static Stream &stream(Port &port) { return port._stream; }
-  static KeptPins pins(Stream &) { return KeptPins(); }
+  static NoPins pins(Stream &) { return NoPins(); }
   static Pins &pins(Port &port) { return port; }
 
-  static constexpr unsigned half(size_t buffer) { return buffer != 0 ? static_cast<unsigned>(buffer / 2 - 1) : 0; }
+  static constexpr unsigned halfCapacity(size_t buffer) {
+    return buffer != 0 ? static_cast<unsigned>(buffer / 2 - 1) : 0;
+  }
 
   template <typename Class>
   static unsigned open(Opened &opened, unsigned long baud, uint32_t config) {
-    return half(KindOf<Class>::open(static_cast<Class &>(stream(opened)), baud, Config{config}, pins(opened)));
+    return halfCapacity(KindOf<Class>::open(static_cast<Class &>(stream(opened)), baud, Config{config}, pins(opened)));
   }
 
   template <typename Class>

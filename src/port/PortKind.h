@@ -7,8 +7,8 @@
 
 #include "../sbus/Frame.h"
 #include "../sbus/LineTiming.h"
+#include "../sbus2/FrameEnd.h"
 #include "Core.h"
-#include "ReceiveNotice.h"
 
 namespace sbus {
 
@@ -16,7 +16,7 @@ namespace sbus {
 
 // The size assumed for an unknown port: the smallest of all cores (Pico). Too large a size would let lost bytes go
 // unnoticed.
-constexpr unsigned SmallestBuffer = 32;
+constexpr unsigned BufferMin = 32;
 
 #if defined(UART_RX_BUFFER_SIZE)  // STM32L0
 constexpr unsigned CoreBuffer = UART_RX_BUFFER_SIZE;
@@ -27,15 +27,15 @@ constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
 #elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy, whose headers do not tell the size
 constexpr unsigned CoreBuffer = 64;
 #else
-constexpr unsigned CoreBuffer = SmallestBuffer;
+constexpr unsigned CoreBuffer = BufferMin;
 #endif
 
 // A Teensy 4 also counts the bytes of its FIFO, which came after what its full buffer has lost (cores 7f107ee,
 // teensy4/HardwareSerial.cpp:449, 642).
 #if defined(SBUS_TEENSY4)
-constexpr bool CountsFifo = true;
+constexpr bool AvailableIncludesFifo = true;
 #else
-constexpr bool CountsFifo = false;
+constexpr bool AvailableIncludesFifo = false;
 #endif
 
 // The size that begin() asks for where a port lets it: 30 ms of a line without gaps.
@@ -45,52 +45,31 @@ constexpr unsigned WantedBuffer = 256;
 // characters that it waits for, that is less than LineTiming.h assumes.
 constexpr uint8_t WantedBurst = 8;
 
-// Tells an ESP32 how many characters make a burst. Cores before 2.0.3 cannot.
-template <typename Port>
-auto limitBursts(Port &port, uint8_t burst, Rank<1>) -> decltype(port.setRxFIFOFull(0), void()) {
-  port.setRxFIFOFull(burst);
-}
-// Does nothing: other ports keep their burst.
-template <typename Port>
-void limitBursts(Port &, uint8_t, Rank<0>) {}
-
-// Gives arduino-pico's port a queue of WantedBuffer. Returns its size.
-template <typename Port>
-auto enlarge(Port &port, Rank<1>) -> decltype(port.setFIFOSize(0), 0u) {
-  port.setFIFOSize(WantedBuffer);
-  return WantedBuffer;
-}
-// Returns the smallest size: arduino-pico's SerialPIO has the size that the sketch gave it, which is unknown here.
-template <typename Port>
-unsigned enlarge(Port &, Rank<0>) {
-  return SmallestBuffer;
-}
-
 // Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h).
 constexpr uint8_t idleCharacters(ReceiveNotice notice) {
   return notice == ReceiveNotice::EachCharacter || notice == ReceiveNotice::Fifo ? 0
          : notice == ReceiveNotice::Dma16                                        ? 1
-                                                                                 : MostIdleCharacters;
+                                                                                 : IdleCharactersMax;
 }
 
 // ---- Pins
 
 // For a port that keeps its pins when it is opened and closed: open() needs none (4 bytes of flash less).
-struct KeptPins {
+struct NoPins {
   static constexpr bool AreGiven = false;
   template <typename Port>
   using Opened = Stream;
-  KeptPins() {}
-  KeptPins(int8_t, int8_t) {}
+  NoPins() {}
+  NoPins(int8_t, int8_t) {}
 };
 
 // For a port that forgets its pins when it is opened or closed.
-struct GivenPins {
+struct PinPair {
   static constexpr bool AreGiven = true;
   template <typename Port>
   using Opened = Port;
-  GivenPins() {}
-  GivenPins(int8_t rx, int8_t tx) : rxPin(rx), txPin(tx) {}
+  PinPair() {}
+  PinPair(int8_t rx, int8_t tx) : rxPin(rx), txPin(tx) {}
   int8_t rxPin = -1, txPin = -1;  // -1: the core's pins
   int8_t wasInverted = -1;        // how begin() opened the port last; -1: not yet
 };
@@ -102,6 +81,7 @@ struct GivenPins {
 // Buffer       bytes, the size of the receive buffer of a port that the sketch has opened
 // Sends        the port can send
 // LosesOldest  a full buffer loses its oldest byte instead of the newest
+// Notice       when the port counts a character as waiting
 // Pins         what open() needs to remember
 // SingleWire   the format for a single inverted wire, TX's, which the port drives only while it sends; 0: it cannot
 // open()       opens the port. Returns the size of its receive buffer, or 0 if that has not changed
@@ -109,15 +89,19 @@ struct GivenPins {
 struct Kind {
   static constexpr bool Sends = true;
   static constexpr bool LosesOldest = false;
+  static constexpr ReceiveNotice Notice = ReceiveNotice::Unknown;
   static constexpr uint32_t SingleWire = 0;
-  using Pins = KeptPins;
+  using Pins = NoPins;
 };
 
 // AVR, SAMD, mbed, Uno R4, Teensy, STM32L0: begin(baud, config), where the format says whether to invert.
-struct ByFormat : Kind {
+struct BeginWithConfig : Kind {
   static constexpr bool Inverts = (Inverted & InvertedBit) == 0;
   static constexpr bool BothWays = Inverts;
   static constexpr unsigned Buffer = CoreBuffer;
+#if defined(SERIAL_RX_BUFFER_SIZE)  // AVR (HardwareSerial_private.h:101), STM32 (uart.c, HAL_UART_Receive_IT of 1)
+  static constexpr ReceiveNotice Notice = ReceiveNotice::EachCharacter;
+#endif
   template <typename Port, typename Pins>
   static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.begin(baud, config);
@@ -135,8 +119,18 @@ Format as(Format, Config config) {
 // Teensy 4: its interrupt at the end of the last character releases the wire (cores 7f107ee,
 // teensy4/HardwareSerial.cpp:700). The other cores have no half duplex, or cannot do this with it:
 // extras/docs/answering.md.
-struct Teensy4 : ByFormat {
+struct Teensy4 : BeginWithConfig {
+  // available() looks into the FIFO (teensy4/HardwareSerial.cpp:449).
+  static constexpr ReceiveNotice Notice = ReceiveNotice::EachCharacter;
   static constexpr uint32_t SingleWire = Inverted | SERIAL_HALF_DUPLEX;
+};
+#endif
+
+#if defined(SBUS_STM32L0)
+// STM32L0: its UART hands over halves of its ring (stm32l0_uart.c:53, 280, 653; variant.cpp,
+// stm32l0_usart1_rx_fifo[32]).
+struct Stm32L0 : BeginWithConfig {
+  static constexpr ReceiveNotice Notice = ReceiveNotice::Dma16;
 };
 #endif
 
@@ -144,11 +138,11 @@ struct Teensy4 : ByFormat {
 // nRF52: begin() takes the nearest rate of a table, 115200 baud, and changes nothing of an open port
 // (Adafruit_nRF52_Arduino fa129c2, Uart.cpp:75, 92). The chip's registers take any: bolderflight/sbus#58 and
 // arduino/ArduinoCore-mbed#60 received S.Bus this way.
-struct Nrf52 : ByFormat {
+struct Nrf52 : BeginWithConfig {
   template <typename Port, typename Pins>
   static unsigned open(Port &port, unsigned long baud, Config config, Pins pins) {
     constexpr uint32_t Clock = 16000000, Step = 0x1000;  // the registers' known values are multiples of it
-    ByFormat::open(port, baud, config, pins);
+    BeginWithConfig::open(port, baud, config, pins);
     NRF_UARTE_Type *const registers = registersOf(port);
     registers->CONFIG = (registers->CONFIG & UARTE_CONFIG_HWFC_Msk) | static_cast<uint16_t>(config);
     registers->BAUDRATE = static_cast<uint32_t>((uint64_t{baud} << 32) / Clock + Step / 2) / Step * Step;
@@ -168,7 +162,7 @@ struct Nrf52 : ByFormat {
 #endif
 
 // SAM, where two enums fit.
-struct ByEnum : ByFormat {
+struct BeginWithEnum : BeginWithConfig {
   template <typename Port, typename Pins>
   static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.begin(baud, as(Uninverted, config));
@@ -177,7 +171,7 @@ struct ByEnum : ByFormat {
 };
 
 // STM32: its inversion cannot be undone. F1, F2, F4 and L1 chips cannot invert, and ignore it.
-struct Stm32 : ByFormat {
+struct Stm32 : BeginWithConfig {
 #if defined(UART_ADVFEATURE_RXINVERT_INIT)
   static constexpr bool Inverts = true;
 #endif
@@ -188,14 +182,16 @@ struct Stm32 : ByFormat {
       port.setRxInvert();
       port.setTxInvert();
     }
-    return ByFormat::open(port, baud, config, pins);
+    return BeginWithConfig::open(port, baud, config, pins);
   }
 };
 
-// arduino-pico: its port takes settings only while it is closed.
+// arduino-pico: its port takes settings only while it is closed. available() looks into the FIFO, and the UART does not
+// check the second stop bit (RP2040 datasheet, 4.2.2).
 struct Pico : Kind {
   static constexpr bool Inverts = true, BothWays = true;
-  static constexpr unsigned Buffer = SmallestBuffer;
+  static constexpr unsigned Buffer = BufferMin;
+  static constexpr ReceiveNotice Notice = ReceiveNotice::Fifo;
   template <typename Port, typename Pins>
   static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.end();
@@ -205,17 +201,34 @@ struct Pico : Kind {
     port.begin(baud, config);
     return size;
   }
+  // Returns the size that the port has then. A SerialPIO keeps the size that the sketch gave it, which is unknown here.
+  template <typename Port>
+  static auto enlarge(Port &port, Rank<1>) -> decltype(port.setFIFOSize(0), 0u) {
+    port.setFIFOSize(WantedBuffer);
+    return WantedBuffer;
+  }
+  template <typename Port>
+  static unsigned enlarge(Port &, Rank<0>) {
+    return BufferMin;
+  }
 };
 
 // ESP32. If the inversion changes, begin() restarts the driver, which loses the pins (core 2.0.15 to 3.0 and later,
 // uartEnd() in esp32-hal-uart.c). After end() every core takes the pins that it is given, or its own. A port that the
 // sketch has opened is closed only if the pins are given, because otherwise they are unknown.
+//
+// No bound of its Notice is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
+// characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
+// CONFIG_UART_ISR_IN_IRAM: it waits while flash is written, for milliseconds, and for other interrupts, and available()
+// shows nothing meanwhile. onReceive() is called later still, by a task. Core 3: esp-idf 01b912a,
+// components/driver/uart/uart.c:32, arduino-esp32 8edd529, HardwareSerial.cpp:19; core 2: esp-idf 002cd29,
+// components/driver/uart.c:40.
 struct Esp32 : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
-  using Pins = GivenPins;
+  using Pins = PinPair;
   template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config, GivenPins &pins) {
+  static unsigned open(Port &port, unsigned long baud, Config config, PinPair &pins) {
     if (port && (pins.rxPin >= 0 || pins.wasInverted == !config.inverted())) {
       port.end();
     }
@@ -225,6 +238,13 @@ struct Esp32 : Kind {
     limitBursts(port, WantedBurst, Rank<1>());
     return size;
   }
+  // Sets how many characters make a burst. Cores before 2.0.3 cannot.
+  template <typename Port>
+  static auto limitBursts(Port &port, uint8_t burst, Rank<1>) -> decltype(port.setRxFIFOFull(0), void()) {
+    port.setRxFIFOFull(burst);
+  }
+  template <typename Port>
+  static void limitBursts(Port &, uint8_t, Rank<0>) {}
 };
 
 // ESP8266: mode 0 is SERIAL_FULL, and 1 is the TX pin. begin() always returns to pins 3 and 1.
@@ -232,9 +252,9 @@ struct Esp8266 : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
   static constexpr bool LosesOldest = true;  // uart.cpp:149; -DUART_DISCARD_NEWEST reaches the core alone
-  using Pins = GivenPins;
+  using Pins = PinPair;
   template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config, GivenPins &pins) {
+  static unsigned open(Port &port, unsigned long baud, Config config, PinPair &pins) {
     port.begin(baud, config, Config{0}, 1, config.inverted());
     if (pins.rxPin >= 0) {
       port.pins(static_cast<uint8_t>(pins.txPin), static_cast<uint8_t>(pins.rxPin));
@@ -244,9 +264,9 @@ struct Esp8266 : Kind {
 };
 
 // Any Stream that is no hardware serial port: the sketch opens it.
-struct OpenAlready : Kind {
+struct SketchOpens : Kind {
   static constexpr bool Inverts = false, BothWays = false;
-  static constexpr unsigned Buffer = SmallestBuffer;
+  static constexpr unsigned Buffer = BufferMin;
   template <typename Port, typename Pins>
   static unsigned open(Port &, unsigned long, Config, Pins) {
     return 0;
@@ -265,11 +285,16 @@ auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->setInvertRX
 template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Rank<4>) -> decltype(port->setRxInvert(), Stm32());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Rank<3>) -> decltype(port->begin(0, Config()), ByFormat());
+auto kindOf(Port *port, HardwareSerial *, Rank<3>) -> decltype(port->begin(0, Config()), BeginWithConfig());
 template <typename Port>
-auto kindOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->begin(0, Uninverted), ByEnum());
+auto kindOf(Port *port, HardwareSerial *, Rank<2>) -> decltype(port->begin(0, Uninverted), BeginWithEnum());
 template <typename Port>
-OpenAlready kindOf(Port *, Stream *, Rank<1>);
+SketchOpens kindOf(Port *, Stream *, Rank<1>);
+#if defined(SBUS_STM32L0)
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Rank<4>)
+    -> decltype(port->onReceive(nullptr), port->begin(0, Config()), Stm32L0());
+#endif
 #if defined(SBUS_TEENSY4)
 Teensy4 kindOf(HardwareSerialIMXRT *port, HardwareSerial *, Rank<5>);
 #endif

@@ -9,7 +9,7 @@
 
 namespace sbus {
 
-// Brings a port's bytes to a FrameFinder, and what it finds to a Link. `Port` is a ListeningPort, and `Link` a
+// Brings a port's bytes to a FrameFinder, and what it finds to a Link. `Port` is a CallbackPort, and `Link` a
 // ClockedLink: no core is known here.
 //
 // Other contexts must not poll meanwhile: see DecodeSBusOf::Lock.
@@ -34,7 +34,7 @@ class PortReader {
   // The port calls this when bytes have come.
   void onReceive() {
     if (!Events::wantsTimes() && _port.isAtHalf()) {
-      _port.callAgain();  // before the bytes are counted: those that come meanwhile must call, too
+      _port.rearm();  // before the bytes are counted: those that come meanwhile must call, too
       if (_finder.mayWait(_port.waiting(), Port::now())) {  // one read for a frame costs less than two
         return;
       }
@@ -44,9 +44,9 @@ class PortReader {
 
   // Polls, and once more if the port has called back meanwhile.
   void pollAll(bool fromCallback) {
-    while (_port.enter()) {
-      poll(Port::Calls && fromCallback);
-      if (!_port.leave()) {
+    while (_port.tryLock()) {
+      poll(Port::HasCallback && fromCallback);
+      if (!_port.unlock()) {
         return;
       }
       fromCallback = true;
@@ -106,7 +106,7 @@ class PortReader {
       waiting -= count;
       take(_finder.received(count, waiting));
     }
-    if (static_cast<unsigned>(found) > _port.half() && _port.losesNewest()) {
+    if (static_cast<unsigned>(found) > _port.halfCapacity() && _port.losesNewest()) {
       return !drop(static_cast<unsigned>(found));
     }
     return true;
@@ -128,7 +128,7 @@ class PortReader {
     const Counters &counters = _finder.counters();
     const bool hasNone = Format::ZeroMeansLost && counters.lostFrames == counters.frames;
     _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? FlagFailsafe : 0)));
-    if (_link.took(_finder.frameTime())) {
+    if (_link.noteFrame(_finder.frameTime())) {
       _link.makeOld();
       _finder.events().forgetAll();
     }
@@ -138,7 +138,7 @@ class PortReader {
   // was read: then those bytes may stand before the loss or after it. Returns true if it has, and drops them.
   SBUS_IN_LINE bool drop(unsigned found) {
     int more = _port.available();
-    if (found + static_cast<unsigned>(more) <= 2 * _port.half()) {
+    if (found + static_cast<unsigned>(more) <= 2 * _port.halfCapacity()) {
       return false;
     }
     _finder.bytesLost();

@@ -27,8 +27,8 @@ constexpr int16_t PushPart = 4;
 constexpr uint16_t MiddleMin = 700;
 constexpr uint16_t MiddleMax = 1350;
 
-constexpr uint8_t WrongFrame = 8;                                      // good frames that cancel one bad frame
-constexpr uint8_t HeldMost = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong frames at the end do no harm
+constexpr uint8_t WrongFrame = 8;                                     // good frames that cancel one bad frame
+constexpr uint8_t HeldMax = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong frames at the end do no harm
 
 constexpr uint16_t smaller(uint16_t a, uint16_t b) { return a < b ? a : b; }
 constexpr uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
@@ -45,7 +45,7 @@ void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {
 
 void Calibrator::Hold::follow(uint16_t value) {
   if (frames > 0 && (value > place ? value - place : place - value) <= StillMax) {
-    frames = smaller(static_cast<uint16_t>(frames + 1), HeldMost);
+    frames = smaller(static_cast<uint16_t>(frames + 1), HeldMax);
     // Follows the value by one: otherwise a first value that is far off would stay.
     place = static_cast<uint16_t>(place + (value > place) - (value < place));
   } else if (frames > WrongFrame) {

@@ -1,6 +1,6 @@
 #include "Diagnosis.h"
 
-#include "Slots.h"
+#include "Frame.h"
 
 namespace sbus {
 

@@ -12,7 +12,7 @@ class FlagRhythm {
  public:
   /// As many runs of frames with or without the flag; of a line that loses every second frame at random, one in 4000
   /// has such a rhythm in its first 27 runs, and others hardly ever.
-  static constexpr uint8_t RunsLeast = 16;
+  static constexpr uint8_t RunsMin = 16;
 
   /// Takes the next frame's flag.
   void put(bool isLost) {
@@ -25,7 +25,7 @@ class FlagRhythm {
   }
 
   /// Returns true if of the runs, one in 16 at most differs by more than a frame from the previous one of its kind.
-  bool isSteady() const { return _runs >= RunsLeast && _odd <= _runs / 16; }
+  bool isSteady() const { return _runs >= RunsMin && _odd <= _runs / 16; }
 
  private:
   void end() {

@@ -63,8 +63,8 @@ inline void packEnd(uint8_t *out, int switches, bool failsafe, bool lostFrame) {
 
 int innerHeader(const uint8_t *frame, int size, uint8_t variant) {
   int i = 2;
-  while (i < size && ((frame[i] & AnyHeader) != HeaderByte ||
-                      !(variant == UnknownVariant ? isEndByte(frame[i - 1]) : endsVariant(frame[i - 1], variant)))) {
+  while (i < size && ((frame[i] & HeaderMask) != HeaderByte ||
+                      !(variant == NoVariant ? isEndByte(frame[i - 1]) : endsVariant(frame[i - 1], variant)))) {
     i++;
   }
   return i;

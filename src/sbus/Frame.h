@@ -29,10 +29,10 @@ constexpr uint8_t FrameSize = 25;     ///< bytes
 constexpr uint8_t HeaderByte = 0x0F;  ///< the first byte; it may also occur in the payload
 /// Header of a frame with the extra channels CH17..CH32, which Futaba's FASSTest 26 sends before each frame.
 constexpr uint8_t ExtraHeader = 0x2F;
-constexpr uint8_t AnyHeader = 0xDF;  ///< mask: of both headers, 0F and 2F, it leaves HeaderByte
-constexpr uint8_t PayloadIndex = 1;  ///< index of the first of 22 bytes
-constexpr uint8_t FlagsIndex = 23;   ///< index of the flags byte
-constexpr uint8_t EndIndex = 24;     ///< index of the end byte
+constexpr uint8_t HeaderMask = 0xDF;  ///< mask: of both headers, 0F and 2F, it leaves HeaderByte
+constexpr uint8_t PayloadIndex = 1;   ///< index of the first of 22 bytes
+constexpr uint8_t FlagsIndex = 23;    ///< index of the flags byte
+constexpr uint8_t EndIndex = 24;      ///< index of the end byte
 
 // The frame with FrSky's 24 channels (ACCESS and TD receivers): its CH17 and CH18 are not switches.
 constexpr uint8_t FrameSize24 = 36;     ///< bytes, the payload 33 of them
@@ -55,27 +55,27 @@ struct LineVariant {
   uint8_t end;         ///< the end byte's bits within endMask
   uint8_t endMask;     ///< the bits of the end byte that identify the variant; the others name the telemetry group
   uint8_t tailSize;    ///< characters that follow each frame directly
-  uint8_t headerMask;  ///< AnyHeader: frames with extra channels (header 2F) may come in between; otherwise 0xFF
+  uint8_t headerMask;  ///< HeaderMask: frames with extra channels (header 2F) may come in between; otherwise 0xFF
 };
 
 /// The variants known from captures of real receivers. A new variant is a new row with its capture.
 constexpr LineVariant LineVariants[] = {
-    {0x00, 0xFF, 0, AnyHeader},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
-    {0x04, 0xCF, 0, AnyHeader},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
-    {0x08, 0xFF, 5, 0xFF},       // Futaba R7003SB, FASSTest 12CH
+    {0x00, 0xFF, 0, HeaderMask},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
+    {0x04, 0xCF, 0, HeaderMask},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
+    {0x08, 0xFF, 5, 0xFF},        // Futaba R7003SB, FASSTest 12CH
 };
 constexpr uint8_t VariantCount = sizeof LineVariants / sizeof LineVariants[0];  ///< rows
 constexpr uint8_t SlotsVariant = 1;                                             ///< the row with telemetry slots
 constexpr uint8_t TailVariant = 2;                                              ///< the row with slot 0 only
-constexpr uint8_t UnknownVariant = UINT8_MAX;                                   ///< no row
-constexpr uint8_t LongestTail = 5;                                              ///< characters
+constexpr uint8_t NoVariant = UINT8_MAX;                                        ///< no row
+constexpr uint8_t TailMax = 5;                                                  ///< characters
 
 /// Returns true if frames of this variant, a row of LineVariants, end with this byte.
 constexpr bool endsVariant(uint8_t end, uint8_t variant) {
   return (end & LineVariants[variant].endMask) == LineVariants[variant].end;
 }
 
-/// Returns the variant that ends its frames with this byte, or UnknownVariant. (A template instead of a loop halves the
+/// Returns the variant that ends its frames with this byte, or NoVariant. (A template instead of a loop halves the
 /// cost of a line of headers.)
 template <uint8_t Row = 0>
 constexpr uint8_t variantOfEnd(uint8_t end) {
@@ -85,13 +85,20 @@ constexpr uint8_t variantOfEnd(uint8_t end) {
 /// Ends the recursion after the last row.
 template <>
 constexpr uint8_t variantOfEnd<VariantCount>(uint8_t) {
-  return UnknownVariant;
+  return NoVariant;
 }
 
 /// Returns true if a frame may end with this byte: 00, 04, 14, 24, 34 or 08.
-constexpr bool isEndByte(uint8_t byte) { return variantOfEnd(byte) != UnknownVariant; }
+constexpr bool isEndByte(uint8_t byte) { return variantOfEnd(byte) != NoVariant; }
 
-constexpr uint8_t NotInEndBytes = 0xC3;  ///< bits that are 0 in every end byte
+constexpr uint8_t EndByteZeros = 0xC3;  ///< bits that are 0 in every end byte
+
+constexpr uint8_t SlotSize = 3;       ///< characters of a telemetry slot: ID, data0, data1 (sbus2/Slots.h)
+constexpr uint8_t GroupSizeMax = 33;  ///< characters between two frames: eight slots, and a break before and after each
+
+/// Returns true if `byte` may be the ID of a slot, the first of three characters that a sensor sends. Its next two bits
+/// are the group that the previous end byte announced; some home-made sensors send another group's bits.
+constexpr bool isSlotId(uint8_t byte) { return (byte & 0x07) == 0x03; }
 
 /// Returns true if the unused bits of this flags byte are 0.
 constexpr bool isFlagsByte(uint8_t byte) { return (byte & FlagsUnused) == 0; }
@@ -102,7 +109,7 @@ constexpr bool isFrame(const uint8_t *frame) {
 }
 
 /// Returns the index of the first header, 0F or 2F, in `frame` (`size` bytes) that follows an end byte of `variant`, or
-/// of any variant for UnknownVariant; otherwise `size`.
+/// of any variant for NoVariant; otherwise `size`.
 int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 
 /// The parameter of a function that reads or writes `Count` channels: an array, which does not compile if it is too
@@ -169,7 +176,7 @@ struct Frame16 {
   static constexpr bool HasSlots = true;             ///< telemetry slots may follow: S.BUS2
   static constexpr bool HasExtra = false;            ///< frames with extra channels are accepted
   static constexpr bool ZeroMeansLost = false;       ///< unpack() leaves the channels of some lost frames alone
-  static constexpr unsigned LongestSpread = 22;      ///< characters: 16 of a frame spread over 4 ms, and a gap
+  static constexpr unsigned SpreadMax = 22;          ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
   /// of 3.
   static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }
@@ -193,7 +200,7 @@ struct Frame24 {
   static constexpr bool HasSlots = false;              ///< no telemetry
   static constexpr bool HasExtra = false;              ///< no extra channels
   static constexpr bool ZeroMeansLost = false;         ///< see Frame16
-  static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
+  static constexpr unsigned SpreadMax = 19;            ///< characters: 16, an idle one, and a gap
   /// Returns `count`: no receiver spreads these frames.
   static constexpr unsigned spread(unsigned count) { return count; }
   /// Returns the flags of a frame.

@@ -111,7 +111,7 @@ class FrameBuffer {
   static constexpr int Spare = 2;  // these and the five members before them double as padding for the first place
   // A frame, its tail, and the characters after it that are judged; rounded so that the other payload is aligned as
   // well.
-  static constexpr int Capacity = (Pad + Format::Size + LongestTail + 10) / 4 * 4 - Pad;
+  static constexpr int Capacity = (Pad + Format::Size + TailMax + 10) / 4 * 4 - Pad;
 
   __attribute__((always_inline)) void forget(int count) {
     _filled = static_cast<uint8_t>(_filled - count);

@@ -10,7 +10,6 @@
 #include "FrameBuffer.h"
 #include "FrameRules.h"
 #include "LineTiming.h"
-#include "Slots.h"
 
 namespace sbus {
 
@@ -69,14 +68,14 @@ template <typename Format, typename Events = NoEvents>
 class FrameFinderOf : private Events {
  public:
   /// Starts like reset() at the time 0, for 100000 baud.
-  FrameFinderOf() { reset(0, CharacterTime, MostIdleCharacters); }
+  FrameFinderOf() { reset(0, CharacterTime, IdleCharactersMax); }
 
   /// Forgets everything, including the counters. `now` in us; `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   /// `idleCharacters`: how long the port waits for more bytes before it hands over less than a burst.
-  void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters) {
+  void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = IdleCharactersMax) {
     _timing.reset(now, characterTime, idleCharacters);
     _sizeCheck.reset();
-    _variant = UnknownVariant;
+    _variant = NoVariant;
     _aligned = false;
     _hasBreaks = false;
     _unread = 0;
@@ -152,7 +151,7 @@ class FrameFinderOf : private Events {
       gapBefore(Silence::Gap);
       return nullptr;
     }
-    const bool isProof = _variant != UnknownVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
+    const bool isProof = _variant != NoVariant || _buffer.filled() < Size || _sizeCheck.isRepeated();
     return acceptAfterSilence(isProof ? Silence::Gap : Silence::Likely);
   }
 
@@ -205,10 +204,10 @@ class FrameFinderOf : private Events {
 
  private:
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
-  static constexpr int JudgedWorth = 4;            // a header that judge() rejects costs as much as four without an end
-  static constexpr int FarOff = FrameSize24 + 1;   // characters: the most that _expectedAt counts
-  static constexpr uint32_t Unsteady = 2500;       // us: a frame is late by less, parts of two by 4 ms or more
-  static constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter comes from late polls
+  static constexpr int JudgedWorth = 4;           // a header that judge() rejects costs as much as four without an end
+  static constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
+  static constexpr uint32_t Unsteady = 2500;      // us: a frame is late by less, parts of two by 4 ms or more
+  static constexpr int32_t PeriodMin = 5376;      // us: an X8R has 6 ms; what is shorter comes from late polls
 
   // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
   __attribute__((noinline)) static void countUp(uint32_t &counter) { counter++; }
@@ -216,7 +215,7 @@ class FrameFinderOf : private Events {
   // Returns true if the next byte is expected to begin a frame.
   SBUS_IN_LINE bool isDue() const { return _aligned && _expectedAt == 0; }
   // Returns true if a frame that is complete by this time, us, is late by less than `late`, us.
-  bool isInTime(uint32_t by, uint32_t late = LineTiming::LongestStop) const {
+  bool isInTime(uint32_t by, uint32_t late = LineTiming::StopMax) const {
     return by - _takenBy < _counters.period + late;
   }
 
@@ -253,9 +252,9 @@ class FrameFinderOf : private Events {
     if (!Events::seesEachGap()) {
       _sizeCheck.forget();
     }
-    if (_sizeCheck.gap(filled, _variant == UnknownVariant)) {
+    if (_sizeCheck.gap(filled, _variant == NoVariant)) {
       countUp(_counters.otherSizeFrames);
-      _variant = UnknownVariant;
+      _variant = NoVariant;
       _aligned = false;  // out of sync: isExactlyNext() needs a variant
     }
   }
@@ -269,7 +268,7 @@ class FrameFinderOf : private Events {
   void lookForGap(uint32_t silence, bool isWhole) {
     const int filled = _buffer.filled();
     const bool mayStop = isWhole && (_buffer.gapAt() == 0 || isDue());
-    const bool isLikely = silence > (mayStop ? LineTiming::LongestStop : _timing.shortestGap());
+    const bool isLikely = silence > (mayStop ? LineTiming::StopMax : _timing.shortestGap());
     if (_unread == 0) {
       if (silence >= LineTiming::LongSilence) {
         startOver(rules::FirstDistance);
@@ -277,7 +276,7 @@ class FrameFinderOf : private Events {
       }
       if (silence > _timing.shortestGap() && (_buffer.gapAt() == filled || _sizeCheck.isFrame() ||
                                               (filled == Size && (isDue() || _buffer.beginsWide())))) {
-        gapBefore(silence > LineTiming::LongestStop ? Silence::Wide : Silence::Gap);
+        gapBefore(silence > LineTiming::StopMax ? Silence::Wide : Silence::Gap);
         return;
       }
     }
@@ -295,7 +294,7 @@ class FrameFinderOf : private Events {
     const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
     if (_timing.template foundTooFew<Format>(_found, missing, _counters.period, _sizeCheck.isStretched())) {
       if (LineTiming::ClockRuns && static_cast<int>(_found) >= missing) {
-        _lossFollows = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
+        _lossFollows = static_cast<int32_t>(_counters.period) >= PeriodMin;
       } else if (isLateOnly()) {
         _sizeCheck.stretchedFrame();
       } else {
@@ -380,7 +379,7 @@ class FrameFinderOf : private Events {
     for (const int last = _buffer.filled() - Size; start <= last;) {
       int step = 1, worth = 1;
       const uint8_t variant = variantAt(start);
-      if (variant != UnknownVariant) {
+      if (variant != NoVariant) {
         Verdict verdict = judge(start, variant);
         if (verdict.isAccepted() && rules::mayEndInBreak<Format>(variant, _hasBreaks)) {  // in judge(): 56 bytes more
           _hasBreaks = false;
@@ -434,16 +433,16 @@ class FrameFinderOf : private Events {
     return from;
   }
 
-  // Returns the variant whose form the 25 bytes at `start` have, or UnknownVariant.
+  // Returns the variant whose form the 25 bytes at `start` have, or NoVariant.
   uint8_t variantAt(int start) {
     const uint8_t variant = variantOf(_buffer[start + EndAt]);
-    if (variant == UnknownVariant) {
+    if (variant == NoVariant) {
       countUp(_counters.rejectedByEnd);
       Events::rejected(start, Rejection::NoEnd);
     } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
       countUp(_counters.rejectedByFlags);
       Events::rejected(start, Rejection::Flags);
-      return UnknownVariant;
+      return NoVariant;
     }
     return variant;
   }
@@ -467,10 +466,10 @@ class FrameFinderOf : private Events {
     const uint8_t *const frame = _buffer.complete();
     const uint32_t interval = _completeAfter - _frameTime;
     if (_counters.frames != 0) {
-      if (_expectedAt < rules::MostNoise - Size) {
+      if (_expectedAt < rules::NoiseMax - Size) {
         countUp(_counters.resyncs);
       }
-      const bool hasMissed = _expectedAt < -rules::MostNoise;  // then it is two periods or more
+      const bool hasMissed = _expectedAt < -rules::NoiseMax;  // then it is two periods or more
       _counters.measure(static_cast<uint32_t>(static_cast<int32_t>(interval) >> (hasMissed ? 1 : 0)));
     }
     _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
@@ -494,11 +493,11 @@ class FrameFinderOf : private Events {
 
   static uint8_t variantOf(uint8_t end) {
     const uint8_t variant = variantOfEnd(end);
-    return Format::Variants == VariantCount || variant < Format::Variants ? variant : UnknownVariant;
+    return Format::Variants == VariantCount || variant < Format::Variants ? variant : NoVariant;
   }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
-  uint8_t _variant;    // of the line: a row of LineVariants, or UnknownVariant
+  uint8_t _variant;    // of the line: a row of LineVariants, or NoVariant
   bool _aligned;       // the last frame was aligned
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll

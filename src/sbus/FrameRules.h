@@ -8,7 +8,6 @@
 #include "FrameSizeCheck.h"
 #include "Frame.h"
 #include "LineTiming.h"
-#include "Slots.h"
 
 /// For functions that cost more to call than to inline.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline
@@ -59,7 +58,7 @@ struct Candidate {
   Silence inside;        ///< what the gaps inside before that one are: FrameBuffer::inside()
   bool isPlaced;         ///< a wide gap comes before it, or it is in sync and in time: parts of two frames come later
   uint8_t variant;       ///< of its end byte, a row of LineVariants
-  uint8_t lineVariant;   ///< of the line, or UnknownVariant
+  uint8_t lineVariant;   ///< of the line, or NoVariant
   int distance;          ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
   bool isInSync;         ///< it follows an aligned frame directly
 
@@ -78,7 +77,7 @@ struct Candidate {
 /// isExactlyNext() matter only on unusual lines.
 namespace rules {
 
-constexpr int MostNoise = 4;  ///< characters in a row that may be noise
+constexpr int NoiseMax = 4;  ///< characters in a row that may be noise
 /// Candidate::distance of the first character on a line, or after a long silence.
 constexpr int FirstDistance = 2;
 
@@ -123,8 +122,8 @@ SBUS_IN_LINE bool hasSlots(uint8_t variant) {
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   const bool isLate = c.distance != 0 && !(c.hasLineVariant() && hasSlots<Format>(c.variant));
-  return (c.lineVariant == UnknownVariant || isLate) &&
-         (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
+  return (c.lineVariant == NoVariant || isLate) &&
+         (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & EndByteZeros) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
 template <typename Format>
@@ -151,7 +150,7 @@ SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
 /// byte counts while the line's variant is unknown.
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
-  const uint8_t variant = c.hasLineVariant() || Format::Variants == 1 ? c.variant : UnknownVariant;
+  const uint8_t variant = c.hasLineVariant() || Format::Variants == 1 ? c.variant : NoVariant;
   return innerHeader(c.bytes, Format::Size, variant);
 }
 
@@ -160,7 +159,7 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
 /// and not just a frame's number of them, which are a frame with header 2F.
 template <typename Format>
 SBUS_IN_LINE bool silenceMayProve(const Candidate<Format> &c, int inner) {
-  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= MostNoise || c.distance == FrameSize);
+  return c.count <= c.size() && (inner >= Format::Size / 2 || c.distance <= NoiseMax || c.distance == FrameSize);
 }
 
 /// Returns true if this may be the break that some receivers send after each frame and each slot (a Futaba R7008SB).
@@ -186,7 +185,7 @@ SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
 /// Returns true if more characters follow than noise has, and no header is the second of them.
 template <typename Format>
 SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
-  return c.count > c.size() + MostNoise && c.bytes[c.size() + 1] != HeaderByte;
+  return c.count > c.size() + NoiseMax && c.bytes[c.size() + 1] != HeaderByte;
 }
 
 // ---- The verdict

@@ -11,7 +11,7 @@ namespace sbus {
 constexpr unsigned long SlowestBaud = 47059;
 
 /// The longest silence, in characters, that a port waits for before it hands over less than a burst: the RP2040's.
-constexpr uint8_t MostIdleCharacters = 4;
+constexpr uint8_t IdleCharactersMax = 4;
 
 /// A silence before a byte, or after one: how certain it is, and how long. Ask isCertain() for the one, isWide() for
 /// the other.
@@ -49,7 +49,7 @@ class LineTiming {
     _pollBefore = now;
     _lastPoll = now;
     _lastBytes = now - LongSilence;  // the line before the first character is unknown
-    _shortestInterval = LongestInterval;
+    _shortestInterval = IntervalMax;
     _characterTime = characterTime;
     _idleCharacters = idleCharacters;
   }
@@ -57,8 +57,8 @@ class LineTiming {
   /// Returns a time before the end of the byte that `more` others follow in this poll. The previous poll did not find
   /// this byte: the port held it back, with those that follow it, and waited for each of them.
   uint32_t endedAfter(unsigned more) const {
-    constexpr unsigned Each = MostIdleCharacters + 1;
-    return _pollBefore - (MostIdleCharacters + (more < LongestBurst ? more : LongestBurst) * Each) * _characterTime;
+    constexpr unsigned Each = IdleCharactersMax + 1;
+    return _pollBefore - (IdleCharactersMax + (more < BurstMax ? more : BurstMax) * Each) * _characterTime;
   }
 
   /// Takes the time of a poll that found nothing.
@@ -100,7 +100,7 @@ class LineTiming {
   /// shorter.
   uint32_t silence(unsigned found, uint32_t handedOver, uint32_t before) const {
     const uint32_t us = handedOver - before;
-    const uint32_t most = found * MostStretched * _characterTime;
+    const uint32_t most = found * StretchedMax * _characterTime;
     return us > most ? us - most : 0;
   }
 
@@ -108,7 +108,7 @@ class LineTiming {
   uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }
 
   static constexpr unsigned LongSilence = 50000;  ///< us: longer than any frame period
-  static constexpr unsigned LongestStop = 1500;   ///< us: no sender is silent for longer within a frame
+  static constexpr unsigned StopMax = 1500;       ///< us: no sender is silent for longer within a frame
 
   /// Takes a time at which the bytes that wait do not yet complete a frame.
   void incomplete(uint32_t now) { _lastPoll = now; }
@@ -131,8 +131,8 @@ class LineTiming {
   /// complete at most one `period`, us, after the previous frame. Call it only if mayHaveFoundTooFew().
   template <typename Format>
   bool foundTooFew(int found, int missing, uint32_t period, bool isStretched) const {
-    const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? LongestBurst : 0);
-    const unsigned most = isStretched ? handedOver * MostStretched + _idleCharacters + Gap : inTime<Format>(handedOver);
+    const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? BurstMax : 0);
+    const unsigned most = isStretched ? handedOver * StretchedMax + _idleCharacters + Gap : inTime<Format>(handedOver);
     const unsigned enough = most * _characterTime;
     unsigned late = capped(_lastPoll - _pollBefore);
     if (late <= enough || (!ClockRuns && found >= missing)) {
@@ -155,22 +155,22 @@ class LineTiming {
   template <typename Format>
   Silence silenceAfter() const {
     const unsigned silence = capped(_lastPoll - _lastBytes);
-    return silence <= burstTime<Format>(LongestBurst) ? Silence::Unknown
-           : endsFrame(silence, LongestBurst)         ? Silence::Wide
-                                                      : Silence::Gap;
+    return silence <= burstTime<Format>(BurstMax) ? Silence::Unknown
+           : endsFrame(silence, BurstMax)         ? Silence::Wide
+                                                  : Silence::Gap;
   }
 
  private:
   static constexpr uint16_t HasEmptyPolls = UINT16_MAX;
   static constexpr uint32_t HalfClock = INT32_MAX;   // us: a Cortex-M0+ compares with the sign
-  static constexpr unsigned LongestInterval = 8000;  // us between polls; above it no gap is certain
-  static constexpr unsigned AssumedInterval = 4000;  // us between polls, while none was shorter than LongestInterval
-  static constexpr unsigned LongestBurst = 16;       // characters: the most that a port hands over at once
+  static constexpr unsigned IntervalMax = 8000;      // us between polls; above it no gap is certain
+  static constexpr unsigned AssumedInterval = 4000;  // us between polls, while none was shorter than IntervalMax
+  static constexpr unsigned BurstMax = 16;           // characters: the most that a port hands over at once
   static constexpr unsigned Gap = 2;                 // characters
 
   // Some senders stretch a frame: 240 us from one character to the next, or silences of half a millisecond
   // (extras/docs/receiver.md).
-  static constexpr unsigned MostStretched = 2;  // characters' time for each
+  static constexpr unsigned StretchedMax = 2;  // characters' time for each
 
   // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
@@ -180,13 +180,11 @@ class LineTiming {
   static bool isLong(unsigned silence) { return silence >= LongSilence; }
 
   // Returns how many of `found` characters the port may have held back before it handed them over.
-  unsigned burst(unsigned found) const {
-    return _idleCharacters == 0 ? 1 : found < LongestBurst ? found : LongestBurst;
-  }
+  unsigned burst(unsigned found) const { return _idleCharacters == 0 ? 1 : found < BurstMax ? found : BurstMax; }
 
   // Returns true if no sender is silent for so long within a frame.
   bool endsFrame(unsigned silence, unsigned found) const {
-    return silence > (burst(found) * MostStretched + _idleCharacters) * _characterTime + LongestStop;
+    return silence > (burst(found) * StretchedMax + _idleCharacters) * _characterTime + StopMax;
   }
 
   // Returns within how many characters' time these follow each other and are handed over, plus a gap.
@@ -199,7 +197,7 @@ class LineTiming {
   template <typename Format>
   unsigned burstTime(unsigned found) const {
     const unsigned characters = _idleCharacters == 0 ? 2 : inTime<Format>(found);
-    return (characters < Format::LongestSpread ? characters : Format::LongestSpread) * _characterTime;
+    return (characters < Format::SpreadMax ? characters : Format::SpreadMax) * _characterTime;
   }
 
   // For a sketch that polls only when bytes wait.
@@ -210,19 +208,19 @@ class LineTiming {
       _shortestInterval = static_cast<uint16_t>(interval);
       return Silence::Unknown;
     }
-    if (_shortestInterval < LongestInterval) {
+    if (_shortestInterval < IntervalMax) {
       period = _shortestInterval;
       gap = Silence::Gap;
       _shortestInterval = static_cast<uint16_t>(period + period / 32);  // follows a loop() that becomes slower
     }
     unsigned burst = found;
-    if (found > LongestBurst) {
-      burst = LongestBurst;
-      if ((found - LongestBurst) * _characterTime > period) {
+    if (found > BurstMax) {
+      burst = BurstMax;
+      if ((found - BurstMax) * _characterTime > period) {
         return Silence::Unknown;  // more than a burst and a period bring: loop() was blocked
       }
     }
-    if (interval <= period + (burst + MostIdleCharacters + Gap) * _characterTime) {
+    if (interval <= period + (burst + IdleCharactersMax + Gap) * _characterTime) {
       return Silence::Unknown;
     }
     return isLong(interval - period) ? Silence::Long : gap;

@@ -66,7 +66,7 @@ class Link {
   bool seen() const { return _state != LinkState::NeverSeen; }
 
   /// Returns true if the newest frame says failsafe, or ends too long a run of lost frames; false before the first.
-  bool isLost() const { return _state == LinkState::Failsafe; }
+  bool isFailsafe() const { return _state == LinkState::Failsafe; }
 
   /// Returns the state at `now` if the newest frame came at `time`; NeverSeen before the first. It remembers old age,
   /// so that a stale frame stays stale when the clock wraps: call it at least once an hour.

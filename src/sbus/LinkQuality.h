@@ -30,7 +30,7 @@ class LinkQuality {
     const Mark mark = {now, counters.frames, counters.lostFrames, counters.failsafeFrames};
     const Mark &oldest = _marks[_count < MarkCount ? 0 : _next];
     const Mark &newest = _marks[(_next + MarkCount - 1) % MarkCount];
-    if (state == LinkState::NeverSeen || state == LinkState::Stale || _count == 0 || now - newest.time > LongestPause ||
+    if (state == LinkState::NeverSeen || state == LinkState::Stale || _count == 0 || now - newest.time > PauseMax ||
         isBelow(mark.frames, oldest.frames)) {
       _marks[0] = mark;
       _count = 1;
@@ -72,10 +72,10 @@ class LinkQuality {
 
  private:
   static constexpr uint8_t MarkCount = 4;
-  static constexpr uint16_t MarkTime = 250;          // ms
-  static constexpr uint32_t LongestPause = 2000000;  // us
-  static constexpr uint16_t RateUnit = 256;          // units of _rate in one frame a second
-  static constexpr uint8_t Decay = 6;                // units in 250 ms: 0.1 frames a second, each second
+  static constexpr uint16_t MarkTime = 250;      // ms
+  static constexpr uint32_t PauseMax = 2000000;  // us
+  static constexpr uint16_t RateUnit = 256;      // units of _rate in one frame a second
+  static constexpr uint8_t Decay = 6;            // units in 250 ms: 0.1 frames a second, each second
 
   struct Mark {
     uint32_t time;  // us

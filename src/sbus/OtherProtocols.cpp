@@ -50,9 +50,9 @@ void OtherProtocols::take(uint8_t kind, Finding finding, uint8_t size) {
     return;
   }
   const bool follows = static_cast<uint16_t>(chain.end + size) == _count;
-  chain.count = static_cast<uint8_t>(follows ? chain.count + (chain.count < PacketsLeast) : 1);
+  chain.count = static_cast<uint8_t>(follows ? chain.count + (chain.count < PacketsMin) : 1);
   chain.end = _count;
-  if (chain.count >= PacketsLeast) {
+  if (chain.count >= PacketsMin) {
     _found = finding;
   }
 }

@@ -11,7 +11,7 @@ namespace sbus {
 /// Takes a port's bytes, and names the protocol. Only a program that diagnoses a line needs it: 120 bytes of RAM.
 class OtherProtocols {
  public:
-  static constexpr uint8_t PacketsLeast = 4;  ///< that follow each other without a byte between: random bytes never do
+  static constexpr uint8_t PacketsMin = 4;  ///< that follow each other without a byte between: random bytes never do
 
   /// Takes the next byte.
   void put(uint8_t byte);

@@ -6,7 +6,7 @@ namespace sbus {
 
 namespace {
 
-constexpr uint8_t SizeLeast = 5;  // bytes; telemetry slots have three
+constexpr uint8_t SizeMin = 5;  // bytes; telemetry slots have three
 constexpr uint8_t SizeMax = 64;
 
 }  // namespace
@@ -30,7 +30,7 @@ void PacketShape::spoil() { _isSpoilt = true; }
 
 // Returns what the packet has that a frame, perhaps with a tail, does not have; NoSignal if it is one.
 Finding PacketShape::fault() const {
-  const bool hasHeader = (_packet.first & AnyHeader) == HeaderByte;
+  const bool hasHeader = (_packet.first & HeaderMask) == HeaderByte;
   if (hasHeader && _packet.size >= FrameSize24 && _endsAs24) {
     return Finding::NoSignal;
   }
@@ -50,10 +50,10 @@ void PacketShape::gap() {
   } else if (fault() == Finding::NoSignal) {
     // Noise takes a byte from some frames, and leaves others whole. A wrong flag comes and goes.
     _run = _usual.size == FrameSize && _usual.first == HeaderByte ? _run : 0;
-  } else if (_packet.size >= SizeLeast) {
-    _run = isSame ? static_cast<uint8_t>(_run < PacketsLeast ? _run + 1 : _run) : 1;
+  } else if (_packet.size >= SizeMin) {
+    _run = isSame ? static_cast<uint8_t>(_run < PacketsMin ? _run + 1 : _run) : 1;
     _usual = _packet;
-    _found = _run == PacketsLeast ? fault() : _found;
+    _found = _run == PacketsMin ? fault() : _found;
   }
   _packet.size = 0;
   _isSpoilt = false;

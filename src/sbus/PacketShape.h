@@ -21,7 +21,7 @@ class PacketShape {
  public:
   /// As many packets of one length and with one first byte; of a noisy line whose frames have lost a byte, 12 in a row
   /// come once in 100000 frames.
-  static constexpr uint8_t PacketsLeast = 12;
+  static constexpr uint8_t PacketsMin = 12;
 
   /// Takes the next byte.
   void put(uint8_t byte);

@@ -16,10 +16,13 @@ struct Reception {
   unsigned long age;  ///< ms, of the newest frame; DecodeSBus::frameAge()
   uint8_t quality;    ///< 0..100: LinkQuality::update()
 
-  static constexpr uint8_t LongestUse = 100;  ///< ms: a stick moves in this time
+  static constexpr uint8_t UsableAgeMax = 100;  ///< ms: a stick moves in this time
 
-  /// Returns true if its newest frame may be used: Ok or Lossy, and younger than LongestUse, even after setTimeout(0).
-  constexpr bool isUsable() const { return (state == LinkState::Ok || state == LinkState::Lossy) && age < LongestUse; }
+  /// Returns true if its newest frame may be used: Ok or Lossy, and younger than UsableAgeMax, even after
+  /// setTimeout(0).
+  constexpr bool isUsable() const {
+    return (state == LinkState::Ok || state == LinkState::Lossy) && age < UsableAgeMax;
+  }
 };
 
 /// Returns true if one of two receivers sends FrSky's range and the other Futaba's: four or more of CH1..CH16 rest at
@@ -113,10 +116,10 @@ class ReceiverChoice {
 
   // Returns what its flags can still say: of one that is not usable the most in failsafe.
   static uint8_t rank(const Reception &receiver) {
-    return receiver.isUsable()                                                             ? Usable
-           : receiver.state == LinkState::NeverSeen                                        ? 0
-           : receiver.state == LinkState::Failsafe && receiver.age < Reception::LongestUse ? 2
-                                                                                           : 1;
+    return receiver.isUsable()                                                               ? Usable
+           : receiver.state == LinkState::NeverSeen                                          ? 0
+           : receiver.state == LinkState::Failsafe && receiver.age < Reception::UsableAgeMax ? 2
+                                                                                             : 1;
   }
 
   // Of two that are not usable, neither is better by its quality.

@@ -25,7 +25,7 @@ class Trainer {
       _heard = now - static_cast<uint32_t>(pupil.age);
       _hasPupil = true;
     }
-    _hasPupil = _hasPupil && pupil.isUsable() && now - _heard < Reception::LongestUse;
+    _hasPupil = _hasPupil && pupil.isUsable() && now - _heard < Reception::UsableAgeMax;
   }
 
   /// Copies the pupil's channels into the teacher's `frame` if the pupil flies, and then returns true. Each has 16

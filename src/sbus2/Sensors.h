@@ -15,7 +15,7 @@
 
 #include <stdint.h>
 
-#include "../sbus/Slots.h"
+#include "Slots.h"
 
 namespace sbus {
 

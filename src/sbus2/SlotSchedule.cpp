@@ -16,7 +16,7 @@ constexpr uint32_t bits(uint8_t first, uint8_t count) {
 // allowed.
 uint8_t throughBy(uint32_t gap) {
   uint8_t slots = 0;
-  uint32_t end = FirstSlotTime + SlotSchedule::MostOff + SlotTime;
+  uint32_t end = FirstSlotTime + SlotSchedule::DeviationMax + SlotTime;
   for (uint8_t bit = 1; bit != 0 && end < gap; bit = static_cast<uint8_t>(bit << 1)) {
     slots = static_cast<uint8_t>(slots | bit);
     end += SlotPitch;
@@ -142,10 +142,10 @@ void SlotSchedule::plan(uint32_t earliest, uint32_t latest, uint32_t gap) {
   const uint32_t apart = latest - earliest;
   _end = earliest + apart / 2;
   _spread = static_cast<uint16_t>(apart / 2 < Unsure ? apart / 2 : Unsure);
-  const uint8_t planned = apart <= MostOff ? static_cast<uint8_t>(wanted & throughBy(gap)) : uint8_t{0};
+  const uint8_t planned = apart <= DeviationMax ? static_cast<uint8_t>(wanted & throughBy(gap)) : uint8_t{0};
   _skipped += countOf(static_cast<uint8_t>(wanted & ~planned));
   memcpy(_planned, _own[_front].data + _group, sizeof _planned);
-  _slack = static_cast<uint8_t>(MostOff - apart / 2);
+  _slack = static_cast<uint8_t>(DeviationMax - apart / 2);
   _due = earliest + apart / 2 + FirstSlotTime;
   _at = 0;
   goTo(planned);
@@ -158,10 +158,10 @@ uint16_t SlotSchedule::nextPoll(uint32_t now) const {
   constexpr uint16_t Period = 15000;  // us, of S.BUS2
   constexpr uint16_t Margin = 150;
   constexpr uint16_t Seldom = 500;
-  constexpr uint8_t MostMissed = 3;
+  constexpr uint8_t MissedMax = 3;
   const uint32_t before = uint32_t{_spread} + Margin;
   uint32_t since = now - _end;
-  for (uint8_t i = 0; i < MostMissed && since > Period + before; i++) {
+  for (uint8_t i = 0; i < MissedMax && since > Period + before; i++) {
     since -= Period;
   }
   if (before > Period / 2 || since > Period + before) {

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "../sbus/Slots.h"
+#include "Slots.h"
 #include "Telemetry.h"
 
 namespace sbus {
@@ -25,7 +25,7 @@ constexpr uint16_t SlotTime = 360;        ///< us, of its three characters
 /// interrupt write().
 class SlotSchedule : public Telemetry {
  public:
-  static constexpr uint8_t MostOff = 100;  ///< us: the most that a slot may start too early or too late
+  static constexpr uint8_t DeviationMax = 100;  ///< us: the most that a slot may start too early or too late
 
   /// Sets the data of `count` slots from slot `first` on. An answer never mixes the data of two calls. Returns false,
   /// and changes nothing, if slot 0 is among them or they do not lie within one group.

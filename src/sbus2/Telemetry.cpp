@@ -12,7 +12,7 @@ constexpr uint8_t FramePeriod = 15;  // ms, of S.BUS2
 constexpr uint32_t FrameUs = FramePeriod * 1000UL;
 constexpr uint32_t RoundUs = 4 * FrameUs;
 // Characters between a frame and the next but one: two groups, and a frame that lacks at least one.
-constexpr uint8_t MostBeforeNext = 2 * GroupSizeMax + FrameSize - 1;
+constexpr uint8_t BeforeNextMax = 2 * GroupSizeMax + FrameSize - 1;
 
 // Returns the end byte that follows this one: 04, 14, 24, 34, 04.
 constexpr uint8_t nextEnd(uint8_t end) { return static_cast<uint8_t>((end + 0x10) & 0x3F); }
@@ -99,8 +99,8 @@ void Telemetry::put(uint8_t slot, const SlotData &data) {
   SlotData &mine = _data[slot];
   const bool isSame = misses(slot) <= MissesMax && mine.data0 == data.data0 && mine.data1 == data.data1;
   mine = data;
-  const uint8_t times = _seen[slot] & MostTimes;
-  _seen[slot] = !isSame ? uint8_t{0} : times < MostTimes ? static_cast<uint8_t>(times + Time) : times;
+  const uint8_t times = _seen[slot] & TimesMax;
+  _seen[slot] = !isSame ? uint8_t{0} : times < TimesMax ? static_cast<uint8_t>(times + Time) : times;
 }
 
 // Counts a round of a group. Returns which of its slots come on this line.
@@ -140,7 +140,7 @@ bool Telemetry::findAll(uint8_t &found, SlotData *data, uint8_t &expected) {
 // be older than they seem.
 uint8_t Telemetry::findSome(uint8_t newest, SlotData *data, uint8_t expected) const {
   const bool isNextLost = newest == nextEnd(nextEnd(_end));
-  if (_count > (isNextLost ? MostBeforeNext : GroupSizeMax)) {
+  if (_count > (isNextLost ? BeforeNextMax : GroupSizeMax)) {
     return 0;
   }
   const uint8_t count = _count < sizeof _characters ? _count : static_cast<uint8_t>(sizeof _characters);

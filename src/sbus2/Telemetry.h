@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "../sbus/FrameFinder.h"
-#include "../sbus/Slots.h"
+#include "Slots.h"
 
 namespace sbus {
 
@@ -55,7 +55,7 @@ class Telemetry : public NoEvents {
 
  private:
   static constexpr uint8_t Lost = UINT8_MAX;
-  static constexpr uint8_t Time = 0x20, MostTimes = 0xE0;  // of _seen
+  static constexpr uint8_t Time = 0x20, TimesMax = 0xE0;  // of _seen
   static constexpr uint8_t Old = MissesMax + 1;
 
   uint8_t misses(int slot) const { return _seen[slot] & (Time - 1); }

@@ -32,7 +32,7 @@ class Sketch {
   explicit Sketch(Calls calls) : _calls(calls) { reset(); }
 
   void reset() {
-    _finder.reset(_now, sbus::CharacterTime, hasIdle() ? 1 : sbus::MostIdleCharacters);
+    _finder.reset(_now, sbus::CharacterTime, hasIdle() ? 1 : sbus::IdleCharactersMax);
     startAnew();
     _frames = 0;
     _call = _now;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "line/Observer.h"
@@ -103,6 +104,16 @@ TEST_CASE("numbers that are no line have no frame, however often 0F and 00 are a
   }
   MESSAGE(claimed, " of ", texts, " texts have frames; seed ", seedOfDay());
   CHECK(claimed * 100 <= texts);
+}
+
+TEST_CASE("a table that changes in steps has no frame: no radio sends channels at the very ends of their range") {
+  std::string text;
+  for (const auto &[value, lines] : {std::pair("15", 14), {"128", 4}, {"0", 4}, {"255", 5}, {"0", 13}}) {
+    for (int i = 0; i < lines; i++) {
+      text += std::string("temp ") + value + "\n";
+    }
+  }
+  CHECK(framesIn(text).empty());
 }
 
 TEST_CASE("tables of small numbers, as programs have them, have no frame") {

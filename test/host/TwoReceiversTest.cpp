@@ -17,7 +17,7 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
-#include <SBusUart.h>
+#include <SBusBoard.h>
 
 #include "cli/bridge/Bridge.h"
 #include "impairment/Settings.h"
@@ -342,7 +342,7 @@ TEST_CASE("a thousand pairs of lines: frames are whole and fresh, or flagged; no
           " with the failsafe flag; ", changes, " changes; the oldest frame ", oldestUs,
           " us old; a hand-over takes up to ", longestUs, " us and a call; bridge chooses others in ", others,
           " pairs, for ", apartUs / (LengthUs / 100 * (Pairs / 100)), " of 10000 of the time");
-  CHECK(oldestUs < sbus::Reception::LongestUse * uint64_t{1000} + 2000);
+  CHECK(oldestUs < sbus::Reception::UsableAgeMax * uint64_t{1000} + 2000);
   CHECK(longestUs <= 6000);
   CHECK(handOvers > Pairs);
   CHECK(flagged > Pairs);

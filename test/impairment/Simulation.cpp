@@ -216,10 +216,10 @@ class Simulation {
   // frames, but no longer than any frame period. It lies between characters if some were found since the line was
   // joined.
   bool isGap() {
-    const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
+    const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::IdleCharactersMax;  // as far as the library knows
     const auto found = static_cast<uint64_t>(_port.available());
-    const uint64_t burst = std::min<uint64_t>(sbus::Frame16::spread(static_cast<unsigned>(found)) + idle + 2,
-                                              sbus::Frame16::LongestSpread);
+    const uint64_t burst =
+        std::min<uint64_t>(sbus::Frame16::spread(static_cast<unsigned>(found)) + idle + 2, sbus::Frame16::SpreadMax);
     const uint64_t silentUs = _lastEmptyUs > _lastFoundUs ? _lastEmptyUs - _lastFoundUs : 0;
     _lastFoundUs = fakeMicros;
     return position() > _beforeJoin && silentUs > burst * _characterUs + _run.line.longestSilenceUs() &&

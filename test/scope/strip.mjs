@@ -192,7 +192,7 @@ export default async function () {
   }
 
   await check('telemetry of S.BUS2 is no fault', async (page) => {
-    // Slots 0 to 7: sbus/Slots.h. Their data are headers, which no frame begins with.
+    // Slots 0 to 7: sbus2/Slots.h. Their data are headers, which no frame begins with.
     const slots = [0x03, 0x83, 0x43, 0xc3, 0x23, 0xa3, 0x63, 0xe3].flatMap((id) => [id, 0x0f, 0x0f]);
     const healthy = Array.from({ length: 200 }, (_, i) => recorded(15000 * (i + 1), frame([1000], { end: 0x04 })) + recorded(15000 * (i + 1) + 5000, slots)).join('');
     await play(page, 'telemetry.txt', healthy);

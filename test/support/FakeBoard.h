@@ -71,7 +71,7 @@ struct FakeBoardOf {
   }
 
   // Receives a frame, and the shortest silence after it that proves the first one.
-  static constexpr uint64_t SilenceUs = Format::LongestSpread * 120 + 1;
+  static constexpr uint64_t SilenceUs = Format::SpreadMax * 120 + 1;
   void firstFrame(const Frame &first) {
     frame(first);
     wait(SilenceUs);

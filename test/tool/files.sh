@@ -146,6 +146,10 @@ printf 'uart-1: Start bit\nuart-1: 1\nuart-1: 1\nuart-1: 1\nuart-1: 1\nuart-1: 0
 printf 'libsigrok 0.5.2\nAcquisition with 1/1 channels at 1 MHz\nSBUS:00000000 00000000\n' |
   rejected samples.txt ": is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data prints a decoder's bytes"
 printf '(1436509052.249713) can0 123#0FE5031FF8C0073E\n' | rejected candump.log ": is candump's log: log2long < FILE prints bytes that are read"
+printf '  can0  123   [8]  0F E5 03 1F F8 C0 07 3E\n  can0  18FEF100   [4]  0F E5 03 1F\n' |
+  rejected candump.txt ": is candump's print, and no frames are in it: sbus record makes a recording of a receiver's line"
+printf " (000.000000)  can0  123   [3]  0F E5 03    '...'\n" |
+  rejected candump-a.txt ": is candump's print with characters beside the bytes: without -a it prints bytes that are read"
 dump=': is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v -t x1 prints one that is read'
 for tool in od 'od -b' 'od -c' 'od -t u1' 'hexdump -b' 'xxd -b'; do
   # shellcheck disable=SC2086  # the tool's arguments are words

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "sbus/FrameFinder.h"
+#include "sbus2/Slots.h"
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "port/FifoWatch.h"
+#include "sbus2/FifoWatch.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "sbus/FrameFinder.h"
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
 

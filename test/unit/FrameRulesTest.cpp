@@ -18,7 +18,7 @@ constexpr int Far = 255;  // Case::gapAt without a gap
 struct Case {
   Bytes bytes;
   int gapAt = Far;
-  int offBy = 0;
+  int distance = 0;
   bool isInSync = true;
   bool hasLineVariant = true;
   bool isGapCertain = true;
@@ -29,13 +29,10 @@ struct Case {
   template <typename Format = Frame16>
   Candidate<Format> candidate() const {
     const Silence gap = isGapWide ? Silence::Wide : isGapCertain ? Silence::Gap : Silence::Likely;
-    const bool follows = isInSync && offBy == 0;
+    const bool follows = isInSync && distance == 0;
     const uint8_t variant = variantOfEnd(bytes[24]);
-    return {bytes.data(), static_cast<int>(bytes.size()),
-            gapAt,        gap,
-            inside,       beginsWide || follows,
-            variant,      hasLineVariant ? variant : UnknownVariant,
-            offBy,        follows};
+    return {bytes.data(), static_cast<int>(bytes.size()),       gapAt,    gap,    inside, beginsWide || follows,
+            variant,      hasLineVariant ? variant : NoVariant, distance, follows};
   }
 };
 
@@ -45,33 +42,33 @@ const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at 23
 // Returns a line of which nothing has been seen yet.
 template <typename Format = Frame16>
 FrameSizeCheck<Format> noneSeen() {
-  FrameSizeCheck<Format> acquisition;
-  acquisition.reset();
-  return acquisition;
+  FrameSizeCheck<Format> sizeCheck;
+  sizeCheck.reset();
+  return sizeCheck;
 }
 
 // Returns a line on which two gaps have been seen, `run` characters apart.
 FrameSizeCheck<Frame16> twoGaps(unsigned run) {
-  FrameSizeCheck<Frame16> acquisition = noneSeen();
-  acquisition.gap(0, true);
-  acquisition.characters(run);
-  acquisition.gap(static_cast<int>(run), true);
-  return acquisition;
+  FrameSizeCheck<Frame16> sizeCheck = noneSeen();
+  sizeCheck.gap(0, true);
+  sizeCheck.characters(run);
+  sizeCheck.gap(static_cast<int>(run), true);
+  return sizeCheck;
 }
 
 // Returns a line whose sender stretches frames.
 FrameSizeCheck<Frame16> stretching() {
-  FrameSizeCheck<Frame16> acquisition = noneSeen();
-  acquisition.stretchedFrame();
-  acquisition.stretchedFrame();
-  return acquisition;
+  FrameSizeCheck<Frame16> sizeCheck = noneSeen();
+  sizeCheck.stretchedFrame();
+  sizeCheck.stretchedFrame();
+  return sizeCheck;
 }
 
 // Returns "accept", "aligned", "wait", or why it is rejected and after how many characters the search continues.
 template <typename Format = Frame16>
-std::string judged(const Case &c, FrameSizeCheck<Format> acquisition = noneSeen<Format>()) {
+std::string judged(const Case &c, FrameSizeCheck<Format> sizeCheck = noneSeen<Format>()) {
   static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
-  const Verdict verdict = rules::judge(c.candidate<Format>(), acquisition);
+  const Verdict verdict = rules::judge(c.candidate<Format>(), sizeCheck);
   return verdict.isAligned()    ? "aligned"
          : verdict.isAccepted() ? "accept"
          : verdict.isOpen()     ? "wait"
@@ -152,7 +149,7 @@ TEST_CASE(
   const struct {
     const char *what;
     Bytes bytes;
-    int gapAt, offBy;
+    int gapAt, distance;
     bool hasLineVariant;
     const char *verdict;
   } rows[] = {
@@ -169,7 +166,7 @@ TEST_CASE(
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
-    CHECK(judged<Frame16Extra>({row.bytes, row.gapAt, row.offBy, true, row.hasLineVariant}) == row.verdict);
+    CHECK(judged<Frame16Extra>({row.bytes, row.gapAt, row.distance, true, row.hasLineVariant}) == row.verdict);
   }
 }
 
@@ -190,15 +187,15 @@ TEST_CASE("breaks: a 00 may stand before the slot's ID, one only, and on S.BUS2 
 TEST_CASE("repeatsEnd: noise may come before the header, unless a stray character is known to follow each frame") {
   const struct {
     unsigned next;
-    int gapAt, offBy;
+    int gapAt, distance;
     bool twice;
   } rows[] = {
       {0x00, Far, 0, true}, {0x00, 0, 0, true}, {0x00, Far, 1, true}, {0x00, 0, 1, false}, {0x01, Far, 0, false}};
   for (const auto &row : rows) {
-    INFO("next ", row.next, ", gapAt ", row.gapAt, ", offBy ", row.offBy);
-    const Case c = {Plain + Bytes{static_cast<uint8_t>(row.next)}, row.gapAt, row.offBy};
+    INFO("next ", row.next, ", gapAt ", row.gapAt, ", distance ", row.distance);
+    const Case c = {Plain + Bytes{static_cast<uint8_t>(row.next)}, row.gapAt, row.distance};
     CHECK(rules::repeatsEnd(c.candidate()) == row.twice);
-    CHECK((judged(c) == "goes on 2") == (row.twice && row.offBy == 0));  // and a header at 1 is no better
+    CHECK((judged(c) == "goes on 2") == (row.twice && row.distance == 0));  // and a header at 1 is no better
   }
 }
 
@@ -260,14 +257,14 @@ TEST_CASE(
     "waits: a gap after a frame may prove that it is aligned, unless a short part may be the rest of the frame "
     "before") {
   for (size_t place = 2; place < 24; place++) {
-    for (int offBy = -2; offBy < 30; offBy++) {
-      INFO("place ", place, ", offBy ", offBy);
+    for (int distance = -2; distance < 30; distance++) {
+      INFO("place ", place, ", distance ", distance);
       Bytes bytes = Plain;
       bytes[place - 1] = 0x00;
       bytes[place] = 0x0F;
-      const bool waits = place >= 12 || offBy <= 4 || offBy == 25;  // a frame with header 2F has come before
-      CHECK((judged({bytes, Far, offBy, false}) == "wait") == waits);
-      CHECK(judged({bytes + Bytes{0x0F}, Far, offBy, false}) == "false sync " + std::to_string(place));
+      const bool waits = place >= 12 || distance <= 4 || distance == 25;  // a frame with header 2F has come before
+      CHECK((judged({bytes, Far, distance, false}) == "wait") == waits);
+      CHECK(judged({bytes + Bytes{0x0F}, Far, distance, false}) == "false sync " + std::to_string(place));
     }
   }
 }
@@ -278,8 +275,8 @@ TEST_CASE("isExactlyNext accepts only what judge() accepts as aligned") {
     bool accepted = false;
     if (bytes.size() == 25 && variantOfEnd(bytes[24]) == variant && isInSync && bytes[0] == 0x0F &&
         isFlagsByte(bytes[23])) {
-      FrameSizeCheck<Frame16> acquisition = noneSeen();
-      accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isAligned();
+      FrameSizeCheck<Frame16> sizeCheck = noneSeen();
+      accepted = rules::judge(Case{bytes, gapAt}.candidate(), sizeCheck).isAligned();
     }
     const bool usual =
         rules::isExactlyNext<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, variant, isInSync);
@@ -318,11 +315,11 @@ TEST_CASE("turn: before the first frame, a slot's ID ends a frame if the frame b
   for (unsigned first = 0; first < 4; first++) {
     for (unsigned second = 0; second < 4; second++) {
       INFO("first ", first, ", second ", second);
-      FrameSizeCheck<Frame16> acquisition = noneSeen();
+      FrameSizeCheck<Frame16> sizeCheck = noneSeen();
       const auto judge = [&](unsigned group) {
         const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03, 0xC0};
         const Case c = {bytes, Far, 0, true, false};
-        return rules::judge(c.candidate(), acquisition).isAccepted();
+        return rules::judge(c.candidate(), sizeCheck).isAccepted();
       };
       CHECK_FALSE(judge(first));
       CHECK(judge(second) == (second == (first + 1) % 4));
@@ -366,11 +363,11 @@ TEST_CASE(
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
-  FrameSizeCheck<Frame16> acquisition = twoGaps(36);
+  FrameSizeCheck<Frame16> sizeCheck = twoGaps(36);
   for (const char *const verdict : {"not at gap 1", "aligned"}) {  // two frames of the right size end the doubts
-    acquisition.characters(25);
-    acquisition.gap(25, true);
-    CHECK(judged({whole, 0, 9, false, false}, acquisition) == verdict);
+    sizeCheck.characters(25);
+    sizeCheck.gap(25, true);
+    CHECK(judged({whole, 0, 9, false, false}, sizeCheck) == verdict);
   }
 }
 
@@ -383,15 +380,15 @@ TEST_CASE("frames are forbidden for eight gaps, or one if the characters may be 
               {26, 25, 0}, {27, 25, 1}, {37, 25, 0}, {255, 25, 0}};
   for (const auto &row : rows) {
     INFO("run ", row.run, ", waiting ", row.waiting);
-    FrameSizeCheck<Frame16> acquisition = noneSeen();
-    acquisition.gap(0, true);
-    acquisition.characters(row.run);
-    CHECK(acquisition.gap(row.waiting, true) == (row.run == 36));
-    CHECK_FALSE(acquisition.gap(row.waiting, true));  // the same gap again
+    FrameSizeCheck<Frame16> sizeCheck = noneSeen();
+    sizeCheck.gap(0, true);
+    sizeCheck.characters(row.run);
+    CHECK(sizeCheck.gap(row.waiting, true) == (row.run == 36));
+    CHECK_FALSE(sizeCheck.gap(row.waiting, true));  // the same gap again
     unsigned gaps = 0;
-    for (; !acquisition.allows(true, false); gaps++) {
-      acquisition.characters(3);
-      acquisition.gap(3, true);
+    for (; !sizeCheck.allows(true, false); gaps++) {
+      sizeCheck.characters(3);
+      sizeCheck.gap(3, true);
     }
     CHECK(gaps == row.gaps);
   }
@@ -399,13 +396,13 @@ TEST_CASE("frames are forbidden for eight gaps, or one if the characters may be 
 
 TEST_CASE("stray: on a line whose variant is known, only where the frame before is missing: it may be mistaken") {
   for (const unsigned end : {0x00u, 0x04u, 0x14u}) {
-    for (const int offBy : {-1, 0, 1, 25}) {
-      INFO("end ", end, ", offBy ", offBy);
-      const Case stray = {bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + Bytes{0x00}, 26, offBy, false, false};
+    for (const int distance : {-1, 0, 1, 25}) {
+      INFO("end ", end, ", distance ", distance);
+      const Case stray = {bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + Bytes{0x00}, 26, distance, false, false};
       Candidate<Frame16> c = stray.candidate();
       CHECK(rules::mayHaveStray(c));
       c.lineVariant = TailVariant;
-      CHECK(rules::mayHaveStray(c) == (offBy != 0));
+      CHECK(rules::mayHaveStray(c) == (distance != 0));
     }
   }
 }

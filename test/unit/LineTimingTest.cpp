@@ -39,11 +39,11 @@ LineTiming afterByte(uint32_t now, uint8_t characterTime = 120, uint8_t idleChar
 TEST_CASE(
     "the shortest time from the last byte to the last empty call that proves a gap, and a wide one, by the bytes found "
     "after it") {
-  constexpr uint32_t LongestStop = 1500;  // us
+  constexpr uint32_t StopMax = 1500;  // us
   const struct {
     unsigned found;
     unsigned idle;                // characters that the port waits for
-    unsigned gap16, gap24, wide;  // characters, for 16 and 24 channels; and LongestStop
+    unsigned gap16, gap24, wide;  // characters, for 16 and 24 channels; and StopMax
   } rows[] = {{1, 0, 2, 2, 2},     {16, 0, 2, 2, 2},    {64, 0, 2, 2, 2},     {1, 1, 5, 4, 3},     {1, 4, 8, 7, 6},
               {8, 1, 14, 11, 17},  {9, 1, 15, 12, 19},  {15, 1, 22, 18, 31},  {16, 1, 22, 19, 33}, {16, 4, 22, 19, 36},
               {25, 1, 22, 19, 33}, {64, 1, 22, 19, 33}, {5000, 4, 22, 19, 36}};
@@ -60,7 +60,7 @@ TEST_CASE(
         };
         for (const bool is24 : {false, true}) {
           const uint32_t gapUs = (is24 ? row.gap24 : row.gap16) * characterTime;
-          const uint32_t wideUs = row.wide * characterTime + LongestStop;
+          const uint32_t wideUs = row.wide * characterTime + StopMax;
           CHECK(silence(gapUs, is24) == Silence::Unknown);
           CHECK(silence(gapUs + 1, is24) == Silence::Gap);
           CHECK(silence(wideUs, is24) == Silence::Gap);

@@ -18,7 +18,7 @@ namespace {
 uint32_t clockUs;
 
 struct FakePort {
-  static constexpr bool Calls = true, TellsLoss = true;
+  static constexpr bool HasCallback = true, TellsLoss = true;
   static uint32_t now() { return clockUs; }
 
   std::deque<uint8_t> bytes;
@@ -47,7 +47,7 @@ struct FakePort {
     }
     return fails ? -1 : static_cast<int>(count);
   }
-  unsigned half() const { return 32; }
+  unsigned halfCapacity() const { return 32; }
   bool losesNewest() const { return !losesOldest; }
   bool mayHaveLostOldest(unsigned waiting) const { return losesOldest && waiting > 32; }
   uint8_t idleCharacters(unsigned long) const { return 0; }
@@ -55,17 +55,17 @@ struct FakePort {
   bool wasIdle() const { return idle; }
   bool isIdle() const { return idle && bytes.empty(); }
   bool isAtHalf() const { return atHalf; }
-  void callAgain() { rearmed++; }
+  void rearm() { rearmed++; }
   unsigned waiting() const {
     const unsigned count = static_cast<unsigned>(bytes.size());
     counted();
     return count;
   }
-  bool enter() {
+  bool tryLock() {
     wasCalled = isBusy;
     return !std::exchange(isBusy, true);
   }
-  bool leave() {
+  bool unlock() {
     isBusy = false;
     return std::exchange(wasCalled, false);
   }
@@ -76,7 +76,7 @@ struct FakeLink : sbus::Link {
   bool hasSlept = false;
   unsigned starts = 0;
   void start() { starts++; }
-  bool took(uint32_t) const { return hasSlept; }
+  bool noteFrame(uint32_t) const { return hasSlept; }
 };
 
 template <typename Format>
@@ -144,12 +144,13 @@ TEST_CASE("a port whose read() fails ends the poll") {
   CHECK(reader.port.bytes.size() == 40);
 }
 
-TEST_CASE("bytes that came after a poll found more than half of the buffer, and may have filled it, are dropped") {
+TEST_CASE(
+    "bytes that came after a poll found more than halfCapacity of the buffer, and may have filled it, are dropped") {
   const struct {
     size_t found, more;
     bool losesOldest, drops;
   } rows[] = {{33, 31, false, false}, {33, 32, false, true},  {64, 0, false, false},
-              {64, 1, false, true},   {32, 33, false, false},  // at most half: a poll would have to last 4 ms
+              {64, 1, false, true},   {32, 33, false, false},  // at most halfCapacity: a poll would have to last 4 ms
               {33, 32, true, false}};                          // it has lost before those that were read
   for (const auto &row : rows) {
     INFO("found ", row.found, ", more ", row.more, ", loses ", row.losesOldest ? "oldest" : "newest");
@@ -215,7 +216,7 @@ TEST_CASE("a port that calls back during a poll is polled once more, and not by 
   CHECK(reader.port.bytes.empty());
 }
 
-TEST_CASE("a port that calls at a half of its ring may call again, and keeps bytes that complete no frame") {
+TEST_CASE("a port that calls at a halfCapacity of its ring may call again, and keeps bytes that complete no frame") {
   const struct {
     size_t read, waiting;
     bool isKept;
@@ -260,7 +261,7 @@ TEST_CASE("until a frame with channels comes, those that withhold them are fails
   reader.silence();
   for (unsigned i = 0; i < 3; i++) {
     reader.frame(bytesOf(none));
-    CHECK(reader.link.isLost() == (reader.counters().frames != 0));
+    CHECK(reader.link.isFailsafe() == (reader.counters().frames != 0));
   }
   REQUIRE(reader.counters().lostFrames >= 2);
   reader.frame(bytesOf(plainFrame(0)));

@@ -190,7 +190,7 @@ TEST_CASE("a frame's end lies between two polls, less the time that the port nee
     CHECK(end.latest == row.latest);
   }
   const sbus::FrameEnd unknown = sbus::frameEndOf(ReceiveNotice::Unknown, 1, Before, By);
-  CHECK(unknown.latest - unknown.earliest > sbus::SlotSchedule::MostOff);
+  CHECK(unknown.latest - unknown.earliest > sbus::SlotSchedule::DeviationMax);
 }
 
 TEST_CASE("if two callbacks disagree on a frame's end, one was held up: nothing is known") {
@@ -207,7 +207,7 @@ TEST_CASE("if two callbacks disagree on a frame's end, one was held up: nothing 
     CAPTURE(row.heldUp);
     const sbus::FrameEnd end =
         sbus::frameEndOfCallback(ReceiveNotice::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
-    CHECK((end.latest - end.earliest <= sbus::SlotSchedule::MostOff) == row.isKnown);
+    CHECK((end.latest - end.earliest <= sbus::SlotSchedule::DeviationMax) == row.isKnown);
     if (row.isKnown) {
       CHECK(end.latest == row.latest);
       CHECK(end.latest - end.earliest == 40);

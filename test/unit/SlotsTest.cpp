@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 
 namespace {
 

@@ -56,7 +56,11 @@ lines() {
       else if (kind == "in-turn") print us, sixteen, (int(count * 0.45) > int((count - 1) * 0.45) ? "00 00" : "04 00")  # 50 of 111
       else if (kind == "at-random") print us, sixteen, (rand() < 0.35 ? "04 00" : "00 00")
       else if (kind == "jumps" && count % 70 == 35) print us, "0F E5 03 1F F8 C1" substr(sixteen, 18), "00 00"
-      else if (kind == "half") print us, substr(sixteen, 1, 3 * 12)
+      else if (kind == "chance" && count % 80 != 40) {  # frames come by chance
+        printf "%d", us
+        for (i = 0; i < 25; i++) printf " %02X", int(rand() * 256)
+        print ""
+      } else if (kind == "half") print us, substr(sixteen, 1, 3 * 12)
       else if (kind != "cut" || count < 4 || us > 2991000) print us, sixteen, "00 00"  # cut for all but three frames
       if (count == 167) us += silenceUs
     }
@@ -89,7 +93,7 @@ at_adapter() {
     END { packet(timer) }'
 }
 
-for kind in 80ms 80ms-missing 120ms 200ms spread ends begins paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other header-f0 header-f0-zeros end-55 24-bytes 23-bytes flags-high dbus seven-bits in-turn at-random jumps 24 16to24 24to16 half cut noise bad good; do
+for kind in 80ms 80ms-missing 120ms 200ms spread ends begins paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other header-f0 header-f0-zeros end-55 24-bytes 23-bytes flags-high dbus seven-bits in-turn at-random jumps 24 16to24 24to16 half chance cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
 head -n 3 "$folder/good.txt" >"$folder/one.txt"

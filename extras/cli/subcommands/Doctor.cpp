@@ -125,10 +125,7 @@ std::optional<Verdict> verdictOnBaud(sbus::Finding finding, const std::vector<st
   if (found == heard.end() || (finding != sbus::Finding::NoFrames && finding != sbus::Finding::WrongPackets)) {
     return std::nullopt;
   }
-  return Verdict{false,
-                 "Wrong baud rate: these are frames of S.Bus that a port has read at " +
-                     std::to_string((*found)->readAtBaud()) + " baud.",
-                 "Read the port with sbus, which sets 100000 baud, 8E2: a terminal program often cannot."};
+  return Verdict{false, line::ReadAtBaud::finding((*found)->readAtBaud()), line::ReadAtBaud::Remedy};
 }
 
 Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {

@@ -1,4 +1,5 @@
-// Reads what `sbus decode` prints of a capture: a table of frames and other bytes, or of characters.
+// Reads what `sbus decode` prints of a capture, a table of frames and other bytes, or of characters, and what `sbus
+// hex` prints of a line with times.
 #pragma once
 
 #include <vector>

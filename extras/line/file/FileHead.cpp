@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "line/ReadAtBaud.h"
 #include "line/capture/Capture.h"
 #include "line/file/BytesReader.h"
 #include "line/file/DecodedReader.h"
@@ -81,7 +82,7 @@ FileKind kindOfText(std::string_view text) {
       withoutBlanks(withoutBlanks(begin.substr(1)).substr(1)).substr(0, 6) == "\"type\"") {
     return FileKind::Json;  // jq -s makes one array of the lines, which is rejected
   }
-  if (DecodedReader::reads(begin)) {
+  if (DecodedReader::reads(text)) {
     return FileKind::Decoded;
   }
   if (frameTable(text) == FrameTable::Yes) {
@@ -113,7 +114,7 @@ std::string whyNoCapture(FileKind kind, std::string_view begin) {
                            : areBytes                  ? "bytes"
                            : kind == FileKind::Json    ? "JSON lines"
                            : kind == FileKind::Table   ? "a table of frames"
-                           : kind == FileKind::Decoded ? "what sbus decode printed"
+                           : kind == FileKind::Decoded ? "what sbus printed"
                                                        : nullptr;
   return what == nullptr ? ""
                          : std::string("is ") + what +
@@ -199,6 +200,10 @@ FileHead headOfText(FileKind kind, std::string_view begin, unsigned long baud) {
       return wrong(reader.why());
     }
     head.note = reader.note();
+    if (reader.readAtBaud() != 0 && !reader.hasFrames()) {
+      head.damage = ReadAtBaud::finding(reader.readAtBaud());
+      head.damageRemedy = ReadAtBaud::Remedy;
+    }
     if (!mangled.what.empty()) {
       head.note += "; " + mangled.what + "; " + mangled.remedy;
       head.damage = "Changed bytes: " + mangled.what + ".";

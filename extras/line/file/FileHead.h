@@ -13,7 +13,7 @@
 namespace line {
 
 // Capture: a recording of the wire, for CaptureText. Rows: a sketch's. Table: a frame a row. Decoded: what
-// `sbus decode` prints. Bytes are raw; Text: bytes as text. Wrong: see FileHead::error.
+// `sbus decode` or `sbus hex` prints. Bytes are raw; Text: bytes as text. Wrong: see FileHead::error.
 enum class FileKind { Recording, Rows, Capture, Bytes, Text, Json, Table, Decoded, Wrong };
 
 struct FileHead {

@@ -12,7 +12,7 @@
 #include "line/recording/WallTime.h"
 #include "line/recording/Words.h"
 #include "sbus/Frame.h"
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 
 namespace line {
 

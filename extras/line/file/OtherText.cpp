@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "line/file/ByteText.h"
+#include "line/file/BytesReader.h"
 #include "line/recording/Words.h"
 
 namespace line {
@@ -46,6 +47,17 @@ bool areDigits(std::string_view text) {
   return consistsOf(text.substr(0, 1000), "01bB ,;\t\r\n") && takeWord(text).size() >= 8;
 }
 
+// Returns true for a line of candump on a console: can0  123   [8]  0F E5 03 1F F8 C0 07 3E
+bool isCandumpPrint(std::string_view line) {
+  std::string_view id = takeWord(line);
+  for (std::string_view word = takeWord(line); !word.empty(); id = word, word = takeWord(line)) {
+    if (word.size() > 2 && word.front() == '[' && consistsOf(word.substr(1, word.size() - 2), "0123456789")) {
+      return word.back() == ']' && (id.size() == 3 || id.size() == 8) && consistsOf(id, "0123456789ABCDEF");
+    }
+  }
+  return false;
+}
+
 // (1436509052.249713) can0 123#0FE0
 bool isCandump(std::string_view text) {
   std::string_view line = takeLine(text);
@@ -60,11 +72,17 @@ bool isCandump(std::string_view text) {
 std::string whatText(std::string_view begin) {
   const std::string_view text = withoutBlanks(begin);
   const bool isSigrok = text.substr(0, 10) == "libsigrok " || text.substr(0, 5) == "META ";
+  const bool isPrint = isCandumpPrint(text.substr(0, text.find('\n')));
+  const bool hasCharacters = isPrint && text.substr(0, text.find('\n')).find('\'') != text.npos;
   const bool isOtherDump = areDigits(text) || (isDump(text) && !ByteText(text, true).isBytes());
   return isSigrok ? "is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data "
                     "prints a decoder's bytes"
          : areBits(text)   ? "is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
          : isCandump(text) ? "is candump's log: log2long < FILE prints bytes that are read"
+         : hasCharacters
+             ? "is candump's print with characters beside the bytes: without -a it prints bytes that are read"
+         : isPrint && !BytesReader(begin, true, LineSettings()).hasFrames()
+             ? "is candump's print, and no frames are in it: sbus record makes a recording of a receiver's line"
          : isOtherDump ? "is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v "
                          "-t x1 prints one that is read"
                        : "";

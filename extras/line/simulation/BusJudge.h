@@ -6,7 +6,7 @@
 #include <string>
 
 #include "line/Line.h"
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 
 namespace line {
 

@@ -10,7 +10,7 @@
 #include "line/Line.h"
 #include "line/simulation/BusJudge.h"
 #include "line/simulation/SimulatedReceiver.h"
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 
 namespace line {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "line/Segments.h"
-#include "sbus/Slots.h"
+#include "sbus2/Slots.h"
 
 namespace line {
 

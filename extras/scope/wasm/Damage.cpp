@@ -1,13 +1,14 @@
 #include "Damage.h"
 
 #include "sbus/FrameRules.h"
+#include "sbus2/Slots.h"
 
 namespace scope {
 
 // A few valid characters without a header are no lost frame: some receivers send a tail. FrameMin of them or more are
 // one.
 uint64_t Damage::take(const line::Stretch &stretch, bool followsSlots) {
-  constexpr size_t FrameMin = sbus::FrameSize - sbus::rules::MostNoise;
+  constexpr size_t FrameMin = sbus::FrameSize - sbus::rules::NoiseMax;
   if (stretch.isFrame()) {
     const bool isDamaged = _seen && !followsSlots && (_hasBad || _hasHeader || _count >= FrameMin);
     const uint64_t sinceUs = isDamaged ? _sinceUs : 0;

@@ -47,7 +47,8 @@ TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
 }
 
 TEST_CASE(
-    "while loop() writes a sensor for 3 ms, eleven slots are answered, and no frame is lost; end() restores timer 2") {
+    "while loop() writes a sensor for 3 ms, eleven slots are answered, and no frame is lost; "
+    "end() restores timer 4; a tone() sounds meanwhile") {
   const AvrBoard board(avr::Mega, "Busy", bus(), BusySeconds);
   CHECK(answers(board) >= BusySeconds * 1000 / 60 * 11 * 9 / 10);
   CHECK(board.mistakes() == "");
@@ -60,5 +61,6 @@ TEST_CASE(
   CHECK(last[3] == 0);
   CHECK(last[4] < BusySeconds * 10 + 17 * 11 / 4);  // it listens to the first 17 frames
   CHECK(last[5] == 1);
+  CHECK(board.pulses(AvrBoard::Led).size() == doctest::Approx(BusySeconds * 1000).epsilon(0.01));
   CHECK((last[6] == 46 || last[6] == 241));
 }

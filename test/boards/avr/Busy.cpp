@@ -1,7 +1,8 @@
 // A sketch that answers in eleven slots while loop() writes one of them, again and again. (No .ino, as Background.cpp.)
 // Sends every second
 //   frames,resyncs,rejected,collisions,skipped,restored,decivolts
-// The first five count from the beginning; restored: 1 if end() has restored timer 2.
+// The first five count from the beginning; restored: 1 if end() has restored timer 4.
+// A tone() sounds meanwhile, on timer 2.
 
 #include <Arduino.h>
 #include <SBus2Sensor.h>
@@ -17,19 +18,20 @@ SBus2Sensor dSBus(Serial1);
 const sbus::CurrentF1678 current = {2345, 1234, 1500};
 bool isRestored;
 
-bool endRestoresTimer2() {
-  const uint8_t modeA = TCCR2A, modeB = TCCR2B, mask = TIMSK2;
+bool endRestoresTimer4() {
+  const uint8_t modeA = TCCR4A, modeB = TCCR4B, mask = TIMSK4;
   dSBus.begin();
-  const bool isTaken = TCCR2A != modeA && TIMSK2 != mask;
+  const bool isTaken = TCCR4A != modeA && TIMSK4 != mask;
   dSBus.end();
-  return isTaken && TCCR2A == modeA && TCCR2B == modeB && TIMSK2 == mask;
+  return isTaken && TCCR4A == modeA && TCCR4B == modeB && TIMSK4 == mask;
 }
 
 }  // namespace
 
 void setup() {
   Serial.begin(115200);
-  isRestored = endRestoresTimer2();
+  isRestored = endRestoresTimer4();
+  tone(LED_BUILTIN, 1000);
   dSBus.begin();
   const sbus::GpsF1675 gps = {50, true, 100, 45296, 25, 31512499, 8045658};
   dSBus.writeSensor(8, gps);

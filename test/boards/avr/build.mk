@@ -51,7 +51,7 @@ OURS = -I$(ROOT)/src -I$(HOST)/standin -I$(HERE)/core -I$(ARDUINO) -I$(ARDUINO)/
 # WString.cpp does not compile with Debian's avr-gcc 5.4; no sketch of ours has a String.
 CORE_SOURCES := $(notdir $(filter-out %/WString.cpp,$(wildcard $(ARDUINO)/cores/arduino/*.c \
   $(ARDUINO)/cores/arduino/*.cpp $(ARDUINO)/cores/arduino/*.S)))
-LIBRARY := $(patsubst $(ROOT)/src/%,%,$(wildcard $(ROOT)/src/*.cpp $(ROOT)/src/*/*.cpp))
+LIBRARY := $(patsubst $(ROOT)/src/%,%,$(wildcard $(ROOT)/src/*.cpp $(ROOT)/src/*/*.cpp $(ROOT)/src/*/*/*.cpp))
 
 # $1: the board. An archive, as library.properties says: the interrupt of SBus2Sensor is only in sketches that have one.
 # Examples are built as the IDE does it, but without prototypes: in them every function stands above its first use. Other
@@ -64,7 +64,7 @@ $(patsubst %,$(OUT)/$1/sketch/%.o,$(call ours,$1)): $(OUT)/$1/sketch/%.o: $(HERE
 	@mkdir -p $$(@D)
 	$(AVR_CXX) $(WARNINGS) $$(DEPENDENCIES) $(OURS) -c $$< -o $$@
 
-$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(ROOT)/src/SBusUart.h $(HERE)/build.mk
+$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(ROOT)/src/SBusBoard.h $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	! $(AVR_CXX) $(OURS) -x c++ -include Arduino.h -S -o /dev/null $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error' $$@ | grep -q '$$(call reason,$1,$$*)'

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "Cores.h"
-#include "port/ReceiveNotice.h"
 
 #if defined(ESP8266)
 HardwareSerial Serial, Serial1(1);
@@ -224,7 +223,8 @@ TEST_CASE("inverts() returns whether the port can invert") { CHECK(sbus::inverts
 
 #if defined(ESP32)
 TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimer finds that out") {
-  CHECK(sbus::noticeOf(&SBUS_PORT, &SBUS_PORT, sbus::Rank<2>()) == sbus::ReceiveNotice::Unknown);
+  const sbus::ReceiveNotice notice = sbus::CoreKind::Notice;
+  CHECK(notice == sbus::ReceiveNotice::Unknown);
 }
 #endif
 
@@ -263,7 +263,7 @@ TEST_CASE("README.md's ten lines print the throttle of every frame, and 0 before
   switchOn();
 #if defined(PINS_GIVEN)
   constexpr int Given[] = {PINS_GIVEN};
-  world.pin = Given[0];  // as src/SBusUart.h has it
+  world.pin = Given[0];  // as src/SBusBoard.h has it
 #endif
   setup();
   putOnLine(Frames, 100000, Core.inverts, 9000);

@@ -142,7 +142,7 @@ TEST_CASE("the PC gets the channels, and a closed throttle without a link") {
   cores::switchOn();
   world.inverted = Core.inverts;
 #if defined(ESP32)
-  world.pin = 16;  // as src/SBusUart.h has it
+  world.pin = 16;  // as src/SBusBoard.h has it
 #else
   usb.isAttached = true;
 #endif

@@ -97,7 +97,7 @@ struct SketchOn {
     MESSAGE(wire.bus.judge().text(), "; most off: ", wire.mostOffUs, " us; skipped ", sensor.skippedSlots());
     wire.check();
     CHECK(world.crashes == 0);
-    CHECK(wire.mostOffUs <= +sbus::SlotSchedule::MostOff);
+    CHECK(wire.mostOffUs <= +sbus::SlotSchedule::DeviationMax);
     CHECK(wire.counts().wrong() - wire.counts().late == 0);
     CHECK(sensor.sentSlots() - (wire.counts().right + wire.counts().late) <= 1);  // the last one may be under way
   }
@@ -154,7 +154,7 @@ void disturb(Sketch &sketch, unsigned longestUs, unsigned apartUs, bool isUnstea
   CHECK(judge.counts().wrong() - judge.counts().late - judge.counts().unseen == 0);
   CHECK(judge.counts().cut == 0);
   CHECK(judge.counts().met + judge.counts().unseen <= 10);
-  CHECK(judge.mostOffUs() <= +sbus::SlotSchedule::MostOff);
+  CHECK(judge.mostOffUs() <= +sbus::SlotSchedule::DeviationMax);
   CHECK(judge.counts().right >= least);
 }
 

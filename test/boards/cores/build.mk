@@ -12,8 +12,8 @@
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  examples that say why they cannot run on this board, and what to do
-#   OUT/CORE/SBusUart.ok   SBUS_UART and SBUS_FREE_PINS are as boards.md says
-#   OUT/stm32l0/SlotTimer.ok  the timer of an STM32L0, which no stand-in has, compiles
+#   OUT/CORE/SBusBoard.ok   SBUS_UART and SBUS_FREE_PINS are as boards.md says
+#   OUT/stm32l0/Stm32L0.ok  the timer of an STM32L0, which no stand-in has, compiles
 #   OUT/uno/NoServo.rejected  what the compiler says to Servos without the library Servo
 #   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
 # `make list` names all of these.
@@ -40,7 +40,7 @@ teensy32 := Teensy32 gnu++17
 teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
-# Further boards: what is compiled there differs by SBusUart.h alone, which a few examples show.
+# Further boards: what is compiled there differs by SBusBoard.h alone, which a few examples show.
 BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 nano33 stm32-nucleo stm32-no-usb stm32l0-0.0 uno xiao-esp32
 attiny := MegaAvr gnu++17 -DMEGATINYCORE -DONE_PORT
 attiny2 := MegaAvr gnu++17 -DMEGATINYCORE
@@ -86,6 +86,7 @@ xiao-esp32_page := XIAO ESP32
 
 # One of each timer that polls each millisecond; boards/avr runs an AVR's.
 TICKERS := pico esp32-3.0 samd teensy4
+chip = $(or $(filter Rp2040,$(1:pico=Rp2040)),$(filter Esp32,$(1:esp32-3.0=Esp32)),$(filter Samd,$(1:samd=Samd)),Teensy)
 ticks = $(or $(filter PicoAlarms,$(1:pico=PicoAlarms)),$(filter Esp32Task,$(1:esp32-3.0=Esp32Task)),Ticks)
 # One of each USB joystick, and what its core defines where the board or the user's choice has it.
 JOYSTICKS := avr esp32-3.0 pico teensy4
@@ -94,19 +95,19 @@ esp32-3.0_usb := -DCONFIG_TINYUSB_HID_ENABLED=1
 teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-# All of them where ports and headers differ most. On a board that has no port to print, those that tell; SBusUart.ok says
+# All of them where ports and headers differ most. On a board that has no port to print, those that tell; SBusBoard.ok says
 # what else a board needs.
 WHOLE := esp32-3.0 sam stm32l0 teensy4
 examples = $(if $(filter $(WHOLE),$1),$(EXAMPLES),$(if $(call reason,$1,DecodeSBus),DecodeSBus Led Servos,$(if $(filter $(CORES),$1),DecodeSBus) \
   $(if $(filter leonardo,$1),PwmIn)))
 compiled = $(foreach name,$(call examples,$1),$(name).$(if $(call reason,$1,$(name)),rejected,ok))
 ALL := $(CORES:%=$(OUT)/%/CoresTest) $(addprefix $(OUT)/,pico/SensorTest esp32-3.0/SensorTest teensy4/PolledSensorTest \
-  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/SlotTimer.ok $(TICKERS:%=%/BackgroundTest) \
+  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/Stm32L0.ok $(TICKERS:%=%/BackgroundTest) \
   teensy4/PreemptBackgroundTest esp32-3.0/TasksTest pico/PpmOutTest samd/PpmOutTest $(JOYSTICKS:%=%/JoystickTest) \
   stm32/SingleWire.rejected teensy4/SingleWire.rejected uno/NoServo.rejected \
   stm32/NoBackground.rejected pico/NoBackground.rejected teensy4/NoBackground.rejected) \
   $(foreach board,$(CORES) $(BOARDS),$(patsubst %,$(OUT)/$(board)/%,$(call compiled,$(board)) \
-  $(if $(filter $(BOARDS) avr esp%,$(board)),$(if $(call reason,$(board),Led),,SBusUart.ok))))
+  $(if $(filter $(BOARDS) avr esp%,$(board)),$(if $(call reason,$(board),Led),,SBusBoard.ok))))
 
 all: $(ALL)
 list:
@@ -143,7 +144,7 @@ $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/Tran
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
-  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/port/SlotTimer.o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+  $(OUT)/$1/SBus2Sensor.o $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 	$(CXX) $$^ -o $$@
@@ -153,10 +154,10 @@ $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o \
-  $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+  $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o \
-  $(OUT)/$1/port/Ticker.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+  $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/TasksSketch.o $(OUT)/Main.o $(SBUS)
@@ -187,7 +188,7 @@ $(OUT)/$1/README.o: $(OUT)/README.cpp
 $(OUT)/$1/on%Pins.o: $(ROOT)/examples/Diagnose/Diagnose.ino $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	(echo '#define SBUS_UART SBUS_PORT$$(if $$(filter Given,$$*),$$(comma) PINS_GIVEN)'; echo '#include <DecodeSBus.h>'; \
-	  echo '#include <SBusUart.h>'; echo '#include <DecodeSBusDiagnosis.h>'; echo 'namespace on$$*Pins {'; \
+	  echo '#include <SBusBoard.h>'; echo '#include <DecodeSBusDiagnosis.h>'; echo 'namespace on$$*Pins {'; \
 	  $(call with_its_ports,$1) $$<; echo '}') >$$(@:.o=.cpp)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -include Arduino.h -c $$(@:.o=.cpp) -o $$@
 $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
@@ -199,9 +200,9 @@ $(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(HERE)/build.mk
 	! $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error' $$@ | grep 'DecodeSBus: \|$$* needs ' | grep -q '$$(call reason,$1,$$*)'
 	[ $$$$(grep -c 'error' $$@) -eq $$$$(grep -c '#error' $$@) ]
-$(OUT)/$1/SBusUart.ok: $(ROOT)/src/SBusUart.h $(ROOT)/extras/docs/boards.md $(HERE)/build.mk
+$(OUT)/$1/SBusBoard.ok: $(ROOT)/src/SBusBoard.h $(ROOT)/extras/docs/boards.md $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
-	echo '#include <SBusUart.h>' | $(CXX) $$($1_board) -DSBUS_MAY_TAKE_USB -include Arduino.h -E -dM -x c++ - | \
+	echo '#include <SBusBoard.h>' | $(CXX) $$($1_board) -DSBUS_MAY_TAKE_USB -include Arduino.h -E -dM -x c++ - | \
 	  sed -nE 's/^#define SBUS_(PINS|UART) (.*[^ ]) *$$$$/\1 \2/p' | sort -r | sed 's/[A-Z]* //' | tr '\n' '|' >$$@.is
 	grep "^|.*$(call page,$1).* | \`$$$$(sed 's/|/` | `/; s/|$$$$/` |/' $$@.is)" $(ROOT)/extras/docs/boards.md >$$@
 $(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk
@@ -217,7 +218,7 @@ endef
 $(foreach core,$(CORES) $(BOARDS),$(eval $(call core_rules,$(core))))
 
 # The stand-in has no timers.
-$(OUT)/stm32l0/SlotTimer.ok: $(ROOT)/src/port/SlotTimer.cpp $(HERE)/build.mk
+$(OUT)/stm32l0/Stm32L0.ok: $(ROOT)/src/port/timer/Stm32L0.cpp $(HERE)/build.mk
 	@mkdir -p $(@D) && rm -f $@
 	$(CXX) $(stm32l0_board) $(DEPENDENCIES) -DTIM7 -include Arduino.h -include stm32l0_dma.h -fsyntax-only $<
 	@touch $@

@@ -22,8 +22,8 @@ for target in $targets; do
   core=${name%%/*}
   name=${name#*/}
   case $name in
-    SlotTimer.ok) what="the timer of the slots compiles" ;;
-    SBusUart.ok) what="SBUS_UART and SBUS_FREE_PINS are as boards.md says" ;;
+    Stm32L0.ok) what="the timer of the slots compiles" ;;
+    SBusBoard.ok) what="SBUS_UART and SBUS_FREE_PINS are as boards.md says" ;;
     *.ok) what="${name%.ok} compiles without a warning" ;;
     NoServo.rejected) what="without the library Servo the compiler says where it is" ;;
     SingleWire.rejected) what="a single wire does not compile on a port that may not let go of it" ;;

@@ -1,4 +1,4 @@
-// What port/SlotTimer.cpp calls, only to compile it: GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd,
+// What port/timer/Stm32L0.cpp calls, only to compile it: GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd,
 // system/STM32L0xx/Include/stm32l0_timer.h:105.
 #pragma once
 

@@ -1,4 +1,4 @@
-#include "ListeningPort.h"
+#include "CallbackPort.h"
 
 #if defined(SBUS_STM32L0)
 

@@ -1,6 +1,6 @@
 /// @file
 /// The telemetry slots of an S.BUS2 line, which the receiver and its sensors send between two frames. Sensors.h decodes
-/// their data.
+/// their data, and Frame.h what the receiver has to know of them.
 ///
 /// Sources: Futaba has not published the format. github.com/BrushlessPower/SBUS2-Telemetry, github.com/dgatf/msrc and
 /// github.com/delamonpansie/jitel agree on everything here; PX4-Autopilot's test_data/sbus2_r7008SB.txt shows slot 0.
@@ -10,14 +10,12 @@
 
 #include <stdint.h>
 
-#include "Frame.h"
+#include "../sbus/Frame.h"
 
 namespace sbus {
 
-constexpr uint8_t SlotCount = 32;     ///< of a line: four groups of eight
-constexpr uint8_t SlotsOfGroup = 8;   ///< after one frame
-constexpr uint8_t SlotSize = 3;       ///< characters: ID, data0, data1
-constexpr uint8_t GroupSizeMax = 33;  ///< characters between two frames: eight slots, and a break before and after each
+constexpr uint8_t SlotCount = 32;    ///< of a line: four groups of eight
+constexpr uint8_t SlotsOfGroup = 8;  ///< after one frame
 
 /// The data of a slot. Slots carry no sensor type: the user has to know it.
 struct SlotData {
@@ -36,10 +34,6 @@ constexpr uint8_t slotId(uint8_t number) {
   return static_cast<uint8_t>((number & 1) << 7 | (number & 2) << 5 | (number & 4) << 3 | (number & 8) << 1 |
                               (number & 16) >> 1 | 3);
 }
-
-/// Returns true if `byte` may be the ID of a slot, the first of three characters that a sensor sends. Its next two bits
-/// are the group that the previous end byte announced; some home-made sensors send another group's bits.
-constexpr bool isSlotId(uint8_t byte) { return (byte & 0x07) == 0x03; }
 
 /// Returns the number, 0..31, of the slot with this ID; undefined if isSlotId(id) is false.
 constexpr uint8_t slotOfId(uint8_t id) {

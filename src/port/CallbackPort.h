@@ -20,20 +20,20 @@ inline stm32l0_uart_t *uartOf(Stream &) { return nullptr; }
 // The STM32L0's port calls back at PendSV level, which interrupts loop(): at once, and then not until bytes have been
 // read (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses
 // all later ones until bytes are read: any method that finds the newest frame old reads them.
-class ListeningPort : public Port {
+class CallbackPort : public Port {
  public:
-  static constexpr bool Calls = true;  // some ports call back
+  static constexpr bool HasCallback = true;  // some ports call back
 
   // Remembers `port`, and whether a port of this class calls back.
   template <typename Class>
-  explicit ListeningPort(Class &port) : Port(port), _set(setterOf(&port, Rank<1>())) {}
+  explicit CallbackPort(Class &port) : Port(port), _set(setterOf(&port, Rank<1>())) {}
   // Remembers `port` and its pins.
   template <typename Class>
-  ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), _set(setterOf(&port, Rank<1>())) {}
-  ListeningPort(const ListeningPort &) = delete;
-  ListeningPort &operator=(const ListeningPort &) = delete;
+  CallbackPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), _set(setterOf(&port, Rank<1>())) {}
+  CallbackPort(const CallbackPort &) = delete;
+  CallbackPort &operator=(const CallbackPort &) = delete;
   // The port must not call an object that is gone.
-  ~ListeningPort() {
+  ~CallbackPort() {
     if (!_isBusy) {
       stop();
     }
@@ -49,7 +49,7 @@ class ListeningPort : public Port {
   // Returns true if the port has just called because half of its ring was full, and no method runs.
   bool isAtHalf() const { return _uart != nullptr && _uart->rx_index % HalfRing == 0 && !_isBusy; }
   // Lets the port call again though nothing was read, as a read of no bytes does (stm32l0_uart.c:1171).
-  void callAgain() {
+  void rearm() {
     wasIdle();
     _uart->rx_event = true;
   }
@@ -97,9 +97,10 @@ class ListeningPort : public Port {
     }
   }
 
-  // Returns true if the port is open here, and no other caller is between enter() and leave(). Otherwise this
-  // interrupts that caller, and its leave() returns true. An object that was never begun, or was ended, takes no bytes.
-  bool enter() {
+  // Returns true if the port is open here, and no other caller is between tryLock() and unlock(). Otherwise this
+  // interrupts that caller, and its unlock() returns true. An object that was never begun, or was ended, takes no
+  // bytes.
+  bool tryLock() {
     if (_isBusy) {
       _wasCalled = true;
       return false;
@@ -109,10 +110,10 @@ class ListeningPort : public Port {
     barrier();
     return true;
   }
-  // Returns how often enter() has returned true, modulo 256.
+  // Returns how often tryLock() has returned true, modulo 256.
   uint8_t polls() const { return _polls; }
-  // Returns true if enter() has returned false meanwhile: bytes have come.
-  bool leave() {
+  // Returns true if tryLock() has returned false meanwhile: bytes have come.
+  bool unlock() {
     barrier();
     _isBusy = false;
     barrier();
@@ -150,7 +151,7 @@ class ListeningPort : public Port {
 
   Set *const _set;               // null: the port cannot call back
   State *_uart = nullptr;        // null: the port does not tell when its line was idle
-  volatile bool _isBusy = true;  // until the first leave(), and from end() on
+  volatile bool _isBusy = true;  // until the first unlock(), and from end() on
   volatile bool _wasCalled = false;
   volatile uint8_t _polls = 0;
   uint8_t _foundAt = 0;  // in the ring
@@ -160,20 +161,20 @@ class ListeningPort : public Port {
 #else
 
 // No port calls back: loop() polls.
-class ListeningPort : public Port {
+class CallbackPort : public Port {
  public:
-  static constexpr bool Calls = false;
+  static constexpr bool HasCallback = false;
   static constexpr bool callsBack() { return false; }
   static constexpr bool tellsIdle() { return false; }
   static constexpr bool isIdle() { return false; }
   static constexpr bool wasIdle() { return false; }
   static constexpr bool isAtHalf() { return false; }
-  static void callAgain() {}
+  static void rearm() {}
   static constexpr unsigned waiting() { return 0; }
   template <typename Class>
-  explicit ListeningPort(Class &port) : Port(port) {}
+  explicit CallbackPort(Class &port) : Port(port) {}
   template <typename Class>
-  ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx) {}
+  CallbackPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx) {}
   template <typename Object>
   bool start(void (Object::*)(), Object *) const {
     return false;
@@ -181,14 +182,14 @@ class ListeningPort : public Port {
   void stop() const {}
   // An object that is not open takes bytes only if the sketch polls it. (Checked here, it would cost an AVR's sensor a
   // tenth of its answers.)
-  static constexpr bool enter() { return true; }
+  static constexpr bool tryLock() { return true; }
   static constexpr uint8_t polls() { return 0; }
-  static constexpr bool leave() { return false; }
+  static constexpr bool unlock() { return false; }
 };
 
 #endif
 
-// loop() polls, or the port calls back. PolledByTimer does by a timer instead (Ticker.h), and has the same
+// loop() polls, or the port calls back. PolledByTimer does by a timer instead (timer/PolledByTimer.h), and has the same
 // members.
 struct PolledByLoop {
   // Keeps other contexts from polling, while it exists.

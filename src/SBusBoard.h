@@ -2,7 +2,7 @@
 /// Names this board's S.Bus port, so that the examples run on every board unchanged. No other file of the library knows
 /// boards; extras/docs/boards.md has the table. A sketch that names its port itself does not need this header.
 ///
-///     #include <SBusUart.h>
+///     #include <SBusBoard.h>
 ///     DecodeSBus dSBus(SBUS_UART);
 #pragma once
 

@@ -5,8 +5,11 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#include "../sbus/Barrier.h"
-#include "Port.h"
+#include "../../sbus/Barrier.h"
+#include "../Port.h"
+#if defined(SBUS_ESP32)
+#include "SlotTimer.h"
+#endif
 
 #if (defined(SBUS_AVR) && defined(TIMER0_COMPB_vect) && defined(TIMSK0)) || defined(SBUS_RP2040) || \
     defined(SBUS_ESP32) || defined(SBUS_TEENSY) || defined(SBUS_SAMD)
@@ -29,14 +32,9 @@ class PolledByTimer {
   // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a
   // sketch that calls methods all the time would leave the port full.
 #if defined(SBUS_ESP32)
-  // The task that polls is on another core than loop(): loop() waits for it. The task, which others also need, never
-  // blocks on loop().
-  class Lock {
-   public:
-    explicit Lock(const PolledByTimer &);
+  struct Lock : TaskLock {
+    explicit Lock(const PolledByTimer &) {}
     ~Lock();
-    Lock(const Lock &) = delete;
-    Lock &operator=(const Lock &) = delete;
   };
 #else
   class Lock {
@@ -108,7 +106,7 @@ class PolledByTimer {
     return true;
   }
 
-  // The core's timer, which calls tickAll(). Returns false if none is free.
+  // The core's timer, which calls tickAll(): in the core's file. Returns false if none is free.
   static bool startTimer();
   static void stopTimer();
 
