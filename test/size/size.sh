@@ -1,6 +1,6 @@
 #!/bin/sh
 # Prints how much flash and RAM the library and the examples take: a table in Markdown.
-#   ATmega2560    avr-g++ -Os; an example is a whole program, Arduino's core included
+#   ATmega2560    avr-g++ -Os; an example is a whole program, as the IDE links it
 #   Cortex-M0+    arm-none-eabi-g++ -Os, for the Grasshopper; without its core, which is no part of this repository
 # A piece of the library is what a program takes more with it than without. What the C library and the compiler's own
 # add is not counted: division, memmove(), floating point; but it is for the whole programs, and in the rows of scaling.

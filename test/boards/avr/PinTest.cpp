@@ -314,7 +314,7 @@ TEST_CASE("a line on a pin: frames come through, and none is wrong, whatever lin
       {"delay(1)", 2, [](Row &row) { row.pauseMs = 1; }},
       {"delay(3)", 2, [](Row &row) { row.pauseMs = 3; }},
       {"delay(20)", 222, [](Row &row) { row.pauseMs = 20; }},
-      {"delay(20), interrupts off for 0.3 to 0.9 ms", 222,
+      {"delay(20), interrupts off for 0.3 to 0.9 ms", 223,
        [](Row &row) {
          mask(row, 300, 900, 2);
          row.pauseMs = 20;

@@ -40,9 +40,9 @@ list:
 
 include $(ROOT)/extras/setup/flags.mk
 
-# As in the core's platform.txt, but for -flto, which says nothing of who needs what, and -fpermissive.
+# As in the core's platform.txt, but for -fpermissive.
 chip = -mmcu=$(word 1,$($1)) -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_AVR_$(word 2,$($1)) -DARDUINO_ARCH_AVR -Os \
-  -ffunction-sections -fdata-sections $(wordlist 4,9,$($1))
+  -ffunction-sections -fdata-sections -flto $(wordlist 4,9,$($1))
 AVR_C = avr-gcc $(call chip,$1) -std=gnu11
 AVR_CXX = avr-g++ $(call chip,$1) -std=gnu++11 -fno-exceptions -fno-threadsafe-statics
 core_includes = -I$(ARDUINO)/cores/arduino -I$(ARDUINO)/variants/$(word 3,$($1))
@@ -58,7 +58,7 @@ LIBRARY := $(patsubst $(ROOT)/src/%,%,$(wildcard $(ROOT)/src/*.cpp $(ROOT)/src/*
 # people's sources are not ours to warn about.
 define board_rules
 $(OUT)/$1/%.elf: $(OUT)/$1/sketch/%.o $(OUT)/$1/library.a $(if $(filter leonardo,$1),$(OUT)/$1/HID.o) $(OUT)/$1/core.a
-	avr-gcc $(call chip,$1) -Wl,--gc-sections $$^ -lm -o $$@
+	avr-gcc $(call chip,$1) -fuse-linker-plugin -Wl,--gc-sections $$^ -lm -o $$@
 
 $(patsubst %,$(OUT)/$1/sketch/%.o,$(call ours,$1)): $(OUT)/$1/sketch/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
@@ -74,7 +74,7 @@ $(OUT)/$1/library/%.cpp.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	$(AVR_CXX) $(WARNINGS) $$(DEPENDENCIES) $(OURS) -c $$< -o $$@
 $(OUT)/$1/library.a: $(LIBRARY:%=$(OUT)/$1/library/%.o)
 	@rm -f $$@
-	avr-ar rcs $$@ $$^
+	avr-gcc-ar rcs $$@ $$^
 
 $(OUT)/$1/core/%.c.o: $(ARDUINO)/cores/arduino/%.c $(HERE)/build.mk
 	@mkdir -p $$(@D)
@@ -87,7 +87,7 @@ $(OUT)/$1/core/%.cpp.o: $(ARDUINO)/cores/arduino/%.cpp $(HERE)/build.mk
 	$(AVR_CXX) -w $(call core_includes,$1) -c $$< -o $$@
 $(OUT)/$1/core.a: $(CORE_SOURCES:%=$(OUT)/$1/core/%.o)
 	@rm -f $$@
-	avr-ar rcs $$@ $$^
+	avr-gcc-ar rcs $$@ $$^
 endef
 # $1: the board, $2: the example. The core's HID library and its macros of pins have warnings of their own; boards/cores has Joystick with ours.
 define example
