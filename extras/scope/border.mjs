@@ -74,7 +74,7 @@ function typeOf(type) {
 lines.push('// Where a text is that ends with 0.', 'export type Text = number & { readonly isText: true };', '');
 lines.push('export interface Exports {', '  memory: WebAssembly.Memory;', '  _initialize(): void;');
 for (const file of readdirSync(new URL('extras/scope/wasm', root)).filter((name) => name.endsWith('.cpp')).sort()) {
-  for (const [, name, list, result] of read(`extras/scope/wasm/${file}`).matchAll(/^EXPORT\((\w+)\)\(([^)]*)\)->([^{]+?) ?{/gm)) {
+  for (const [, name, list, result] of read(`extras/scope/wasm/${file}`).matchAll(/^EXPORT\((\w+)\)\s*\(([^)]*)\)->([^{]+?) ?{/gm)) {
     const parameters = list.split(',').filter(Boolean).map((each) => `${find(each, /(\w+)$/)}: number`);
     lines.push(`  ${name}(${parameters.join(', ')}): ${typeOf(result)};`);
   }
