@@ -1,9 +1,10 @@
 #include "line/recording/CsvRows.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <iterator>
 
-#include "line/capture/Parsing.h"
 #include "line/recording/Words.h"
 
 namespace line {
@@ -15,6 +16,11 @@ constexpr size_t ColumnsMax = 64;
 constexpr size_t LeastColumns = 2;
 constexpr size_t LeastText = 4;  // characters: fewer between two 0A occur by chance
 
+// strtod() would also take "0x1F" and "inf".
+bool isNumber(const std::string &text) {
+  return !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+}
+
 CsvField fieldOf(std::string_view text) {
   CsvField field;
   const size_t colon = text.find(':');
@@ -23,7 +29,9 @@ CsvField fieldOf(std::string_view text) {
     text.remove_prefix(colon + 1);
   }
   field.text = withoutBlanks(text);
-  field.isNumber = parseNumber(field.text, field.value);
+  char *end = nullptr;
+  field.value = std::strtod(field.text.c_str(), &end);
+  field.isNumber = isNumber(field.text) && *end == '\0' && std::isfinite(field.value);
   return field;
 }
 
