@@ -1,6 +1,7 @@
 #!/bin/sh
 # What each fault leaves in the counters, troubleshooting.md's table: prints the page with the rows as they are now.
-#   counters.sh FOLDER   has the programs Counters, Counters24 and Counters32, the page's own sketch with each class
+#   counters.sh FOLDER   has the programs troubleshooting, troubleshooting24 and troubleshooting32, the page's own sketch
+#                        with each class
 # A row's first cell names the source, and the class where it is not DecodeSBus.
 set -u
 cd "$(dirname "$0")" || exit 1
@@ -9,7 +10,7 @@ cd "$(dirname "$0")" || exit 1
 while IFS= read -r line; do
   source=$(expr "$line" : '| `\(sim[^`]*\)`')
   class=$(expr "$line" : '| `sim[^`]*`, a `DecodeSBus\([0-9]*\)`')
-  [ -z "$source" ] || line="${line%%" |"*} | $(timeout 300 "$1/Counters$class" --simulated-time --seconds 10.1 --source $source </dev/null |
+  [ -z "$source" ] || line="${line%%" |"*} | $(timeout 300 "$1/troubleshooting$class" --simulated-time --seconds 10.1 --source $source </dev/null |
     tr -d '\r') |"
   printf '%s\n' "$line"
 done <../extras/docs/troubleshooting.md

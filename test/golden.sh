@@ -71,15 +71,14 @@ awk -v folder="$build/sketch" '
   }
   inside { text = text $0 "\n" }
   /^```cpp$/ { inside = 1; text = "" }' ../README.md ../extras/docs/[!R]*.md
+for class in 24 32; do
+  mkdir -p "$build/sketch/troubleshooting$class"
+  sed "s/^DecodeSBus /DecodeSBus$class /" "$build/sketch/troubleshooting/troubleshooting.ino" >"$build/sketch/troubleshooting$class/troubleshooting$class.ino"
+done
 for sketch in "$build"/sketch/*; do
   name=${sketch##*/}
   program "$sketch" && [ -x "$build/$name" ]
   verdict $? "the sketch $name of the docs is built"
-done
-for class in '' 24 32; do
-  mkdir -p "$build/sketch/Counters$class"
-  sed "s/^DecodeSBus /DecodeSBus$class /" "$build/sketch/troubleshooting/troubleshooting.ino" >"$build/sketch/Counters$class/Counters$class.ino"
-  program "$build/sketch/Counters$class"
 done
 ./counters.sh "$build" 2>"$build/err" >"$build/page"
 if [ "$update" = update ]; then cp "$build/page" ../extras/docs/troubleshooting.md; else

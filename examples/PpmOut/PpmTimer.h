@@ -96,8 +96,8 @@ static uint32_t due;  // us, the next edge
 
 // Makes the edge that is due. Returns in how many us the next one is.
 inline uint32_t step() {
-  const uint32_t LatenessMax =
-      50;  // us; if it is later, the next part counts from now: no part is cut short to catch up
+  // us; if it is later, the next part counts from now: no part is cut short to catch up
+  const uint32_t LatenessMax = 50;
   makeEdge();
   const uint32_t now = micros();
   due = (now - due <= LatenessMax ? due : now) + next.us;

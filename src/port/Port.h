@@ -91,7 +91,7 @@ class Port : private CoreKind::Pins {
   // Returns the port.
   Stream &stream() { return _stream; }
 
-  // Returns halfCapacity of the bytes that fill the receive buffer. A core may keep one place free (AVR).
+  // Returns half of the bytes that fill the receive buffer. A core may keep one place free (AVR).
   unsigned halfCapacity() const { return _half; }
 
   // Returns true if a full buffer loses the newest byte, false if the oldest.

@@ -398,6 +398,7 @@ class FrameFinderOf : private Events {
         countUp(_counters.rejectedByLength);
         Events::rejected(start, verdict.why());
         step = verdict.skip();
+        // A frame that only came late, and is held back whole, keeps its place: the next is due behind it.
         if (LineTiming::ClockRuns && step == Size && _buffer.gap() == Silence::Late && start == _expectedAt) {
           _expectedAt = static_cast<int8_t>(start + Size);
           _completeAfter = _timing.endedAfter(0);

@@ -144,13 +144,12 @@ TEST_CASE("a port whose read() fails ends the poll") {
   CHECK(reader.port.bytes.size() == 40);
 }
 
-TEST_CASE(
-    "bytes that came after a poll found more than halfCapacity of the buffer, and may have filled it, are dropped") {
+TEST_CASE("bytes that came after a poll found more than half of the buffer, and may have filled it, are dropped") {
   const struct {
     size_t found, more;
     bool losesOldest, drops;
   } rows[] = {{33, 31, false, false}, {33, 32, false, true},  {64, 0, false, false},
-              {64, 1, false, true},   {32, 33, false, false},  // at most halfCapacity: a poll would have to last 4 ms
+              {64, 1, false, true},   {32, 33, false, false},  // at most half: a poll would have to last 4 ms
               {33, 32, true, false}};                          // it has lost before those that were read
   for (const auto &row : rows) {
     INFO("found ", row.found, ", more ", row.more, ", loses ", row.losesOldest ? "oldest" : "newest");
@@ -216,7 +215,7 @@ TEST_CASE("a port that calls back during a poll is polled once more, and not by 
   CHECK(reader.port.bytes.empty());
 }
 
-TEST_CASE("a port that calls at a halfCapacity of its ring may call again, and keeps bytes that complete no frame") {
+TEST_CASE("a port that calls at a half of its ring may call again, and keeps bytes that complete no frame") {
   const struct {
     size_t read, waiting;
     bool isKept;

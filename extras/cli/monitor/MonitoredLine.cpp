@@ -14,8 +14,8 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t BytesUs =
-    200000;  // this long after the newest byte the line counts as silent; line::TailUs is longer
+// This long after the newest byte the line counts as silent; line::TailUs is longer.
+constexpr uint64_t BytesUs = 200000;
 constexpr uint64_t TelemetryUs = 50000;  // this long after a frame bytes may be its telemetry
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms

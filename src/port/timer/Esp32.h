@@ -8,6 +8,7 @@
 #include <freertos/semphr.h>
 
 #include "../../sbus2/FifoWatch.h"
+
 namespace sbus {
 
 // Keeps the task from polling, while it exists. The task is on another core than loop(), which waits for it: an
