@@ -9,6 +9,7 @@
 #include "Frame.h"
 #include "FrameBuffer.h"
 #include "FrameRules.h"
+#include "JoinCheck.h"
 #include "LineTiming.h"
 
 namespace sbus {
@@ -65,7 +66,7 @@ struct NoEvents {
 /// Call all methods from the context that reads the port. Only frame() and the methods below it may also be called from
 /// a context that received() interrupts (extras/docs/interrupts.md).
 template <typename Format, typename Events = NoEvents>
-class FrameFinderOf : private Events {
+class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTiming::ClockRuns && !Events::wantsTimes()> {
  public:
   /// Starts like reset() at the time 0, for 100000 baud.
   FrameFinderOf() { reset(0, CharacterTime, IdleCharactersMax); }
@@ -75,6 +76,7 @@ class FrameFinderOf : private Events {
   void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = IdleCharactersMax) {
     _timing.reset(now, characterTime, idleCharacters);
     _sizeCheck.reset();
+    Join::reset();
     _variant = NoVariant;
     _aligned = false;
     _hasBreaks = false;
@@ -108,6 +110,9 @@ class FrameFinderOf : private Events {
       gapBefore(silence);
     } else if (silence == Silence::Likely) {
       _buffer.markGap(Silence::Likely);
+    }
+    if (ChecksJoins && _timing.holdsNothing()) {
+      noteJoins(found);
     }
     if (_timing.mayHaveFoundTooFew()) {
       checkFound();
@@ -203,6 +208,10 @@ class FrameFinderOf : private Events {
   const Counters &counters() const { return _counters; }
 
  private:
+  // Not for a sensor, whose polls must be quick: on an AVR interrupts must not be off for 0.1 ms there.
+  static constexpr bool ChecksJoins = !LineTiming::ClockRuns && !Events::wantsTimes();
+  using Join = JoinCheck<Format::Size, ChecksJoins>;
+
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
   static constexpr int JudgedWorth = 4;           // a header that judge() rejects costs as much as four without an end
   static constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
@@ -286,6 +295,13 @@ class FrameFinderOf : private Events {
     }
   }
 
+  // Takes a poll of a port whose clock may have stopped.
+  void noteJoins(unsigned found) {
+    const int filled = _buffer.gapAt() == _buffer.filled() ? 0 : _buffer.filled();
+    Join::poll(found, static_cast<unsigned>(filled), _timing.pollBefore(), _timing.interval(), _timing.characterTime(),
+               _sizeCheck.isStretched());
+  }
+
   // While interrupts are off, a UART keeps a few characters and loses the others. If the line goes on at the same place
   // of a later frame, 25 characters of two frames stand there without a gap, and only the time shows that. A frame that
   // broke off may also have lost a character on the line: then there is an apparent gap. Otherwise the port has lost
@@ -328,11 +344,35 @@ class FrameFinderOf : private Events {
   }
 
   const uint8_t *search(int waiting) {
+    const bool wasAligned = ChecksJoins && _aligned;
     const bool isFrame =
         rules::isExactlyNext<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) ||
         scan(waiting);
     noteEnd(waiting);
+    if (ChecksJoins && isFrame && mayBeJoined(wasAligned && _expectedAt == 0)) {
+      dropJoined();
+      return nullptr;
+    }
     return isFrame ? deliver() : nullptr;
+  }
+
+  // Returns true if the frame that is complete may consist of parts of several. (Not inlined: 102 bytes less on an
+  // AVR.)
+  __attribute__((noinline)) bool mayBeJoined(bool isInSync) {
+    const unsigned usual = Size * _timing.characterTime() * (_sizeCheck.isStretched() ? 2u : 1u);
+    return (Join::isUnplaced() && _expectedAt != 0 && _expectedAt != -Size) ||
+           Join::isJoined(_completeBy, static_cast<uint16_t>(usual), isInSync);
+  }
+
+  // Drops the frame that is complete. What follows it directly is in its place if this was a frame.
+  void dropJoined() {
+    uint8_t *const beginning = _buffer.bytes();
+    countUp(_counters.shortfalls);
+    Events::rejected(0, Rejection::NotAtGap);
+    discard(Size);
+    _buffer.moveTo(beginning);
+    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
+    _aligned = false;
   }
 
   // Returns true if a frame is complete.
@@ -425,7 +465,9 @@ class FrameFinderOf : private Events {
   void takeExtra(int waiting) {
     noteEnd(waiting);
     countUp(_counters.extraFrames);
-    Events::extra(_buffer.bytes(), _completeAfter);
+    if (!ChecksJoins || !mayBeJoined(true)) {
+      Events::extra(_buffer.bytes(), _completeAfter);
+    }
     _expectedAt = 0;
     _buffer.drop(FrameSize);
   }

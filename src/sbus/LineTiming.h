@@ -105,6 +105,13 @@ class LineTiming {
     return us > most ? us - most : 0;
   }
 
+  /// Returns the time between the two newest polls that found bytes, us; at most UINT_MAX.
+  unsigned interval() const { return capped(_lastPoll - _pollBefore); }
+
+  uint8_t characterTime() const { return _characterTime; }  ///< us
+  /// Returns true if the port hands over each character at once.
+  bool holdsNothing() const { return _idleCharacters == 0; }
+
   /// Returns the longest silence(), in us, that is no gap.
   uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }
 

@@ -12,7 +12,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Busy Choice InterruptsOff Masked OtherCode Pin PinBackground PinLoops PinLoopsPort
+OURS_ALONE := Background Busy Choice InterruptsOff ManyStops ManyStopsBackground Masked OtherCode Pin PinBackground PinLoops PinLoopsPort
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega

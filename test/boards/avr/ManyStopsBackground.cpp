@@ -1,0 +1,3 @@
+// ManyStops.cpp, with a DecodeSBusBackground.
+#define IN_BACKGROUND
+#include "ManyStops.cpp"
