@@ -23,7 +23,8 @@ struct Counters {
   uint32_t discardedBytes;   ///< bytes that belong to no frame: of impaired frames, noise, telemetry
   uint32_t resyncs;          ///< how often frames were found again after some had been missed
   uint32_t overflows;        ///< polls that found the port's buffer full: it has probably lost bytes
-  uint32_t shortfalls;       ///< late polls that found too few bytes: some were lost while interrupts were off
+  uint32_t shortfalls;       ///< late polls that found too few bytes, or, on an AVR, frames that this may have joined:
+                             ///< interrupts were off
   uint32_t extraFrames;      ///< frames with header 2F, which only a DecodeSBus32 accepts
   uint32_t otherSizeFrames;  ///< as many bytes between two gaps as a frame of 24 channels has (DecodeSBus24: of 16)
   uint32_t period;           ///< us, frame interval, smoothed over about eight frames; 0 before the second frame

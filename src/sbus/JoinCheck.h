@@ -103,9 +103,9 @@ class JoinCheck {
 template <int Size>
 class JoinCheck<Size, false> {
  public:
-  void reset() {}                                                       ///< does nothing
-  void poll(unsigned, unsigned, uint32_t, unsigned, uint8_t, bool) {}   ///< does nothing
-  static constexpr bool isUnplaced() { return false; }                  ///< returns false
+  void reset() {}                                                             ///< does nothing
+  void poll(unsigned, unsigned, uint32_t, unsigned, uint8_t, bool) {}         ///< does nothing
+  static constexpr bool isUnplaced() { return false; }                        ///< returns false
   static constexpr bool isJoined(uint32_t, uint16_t, bool) { return false; }  ///< returns false
 };
 
