@@ -97,6 +97,9 @@ class Port : private CoreKind::Pins {
   // Returns true if a full buffer loses the newest byte, false if the oldest.
   bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
 
+  // Returns true if this port tells what it has lost: an SBusPin, or another Stream.
+  bool tellsLoss() const { return TellsLoss && _hardware == nullptr; }
+
   // Returns true if bytes may have been lost before the `waiting` ones.
   bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting + ArrivesMeanwhile > 2u * _half; }
 

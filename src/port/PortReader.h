@@ -27,6 +27,9 @@ class PortReader {
   void reset(unsigned long baud) {
     const unsigned long us = baud > SlowestBaud ? BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
     _finder.reset(Port::now(), static_cast<uint8_t>(us), _port.idleCharacters(baud));
+    if (Port::TellsLoss && _port.tellsLoss()) {
+      _finder.trustPort();
+    }
     _link.reset();
     _link.start();
   }

@@ -87,6 +87,9 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     Events::begin();
   }
 
+  /// The port tells what it has lost while interrupts were off, by bytesLost(). Call it after reset().
+  void trustPort() { Join::trustPort(); }
+
   /// Returns where to write the next room() bytes. It changes with each received() and bytesLost().
   uint8_t *space() { return _buffer.space(); }
 
@@ -111,7 +114,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     } else if (silence == Silence::Likely) {
       _buffer.markGap(Silence::Likely);
     }
-    if (ChecksJoins && _timing.holdsNothing()) {
+    if (ChecksJoins) {
       noteJoins(found);
     }
     if (_timing.mayHaveFoundTooFew()) {

@@ -21,23 +21,29 @@ namespace sbus {
 template <int Size, bool IsUsed>
 class JoinCheck {
  public:
-  /// Forgets everything. Frames of a port whose polls it never takes are not doubted.
+  /// Forgets everything.
   void reset() {
     _interval = 0;
-    _isCrowded = false;
+    _isCrowded = _isTrusted = false;
     _doubt = _patience = 0;
   }
+
+  /// The port tells what it has lost: doubts no frame, until reset().
+  void trustPort() { _isTrusted = true; }
 
   /// Takes a poll that found `found` characters, `interval` us after the poll at `before`, us. The first of them belong
   /// to a frame of which `filled` have come; 0: they begin one. `characterTime` in us.
   void poll(unsigned found, unsigned filled, uint32_t before, unsigned interval, uint8_t characterTime,
             bool isStretched) {
-    _interval = interval;
+    if (_isTrusted) {
+      return;
+    }
+    _interval = found < FullPort ? interval : 0;
     _isCrowded = (filled != 0 && _isCrowded) || found > MostAtOnce;
     if (filled == 0) {
       _after = static_cast<uint16_t>(before);
     }
-    if (hasLost(found, filled, characterTime, isStretched) || hasStopped(found, characterTime)) {
+    if (hasLost(found, filled, interval, characterTime, isStretched) || hasStopped(found, interval, characterTime)) {
       _doubt = DoubtMax;
     }
   }
@@ -66,9 +72,10 @@ class JoinCheck {
   }
 
  private:
-  static constexpr unsigned MostAtOnce = 2;      // characters: an AVR's UART keeps 3
-  static constexpr unsigned Dropped = 3;         // characters that the line may have lost, of a frame
-  static constexpr unsigned Paused = 600;        // us: a silence within a frame
+  static constexpr unsigned MostAtOnce = 2;  // characters: an AVR's UART keeps 3
+  static constexpr unsigned FullPort = 60;   // characters: an AVR's port may have lost the next, and holds whole frames
+  static constexpr unsigned Dropped = 3;     // characters that the line may have lost, of a frame
+  static constexpr unsigned Paused = 600;    // us: a silence within a frame
   static constexpr unsigned CountedMax = 2100;   // us: an AVR's clock counts 2 ms of a stop at most
   static constexpr unsigned SilenceMax = 13000;  // us between frames: an R7008SB has 12 ms
   static constexpr unsigned IntervalMax = 8000;  // us between polls, as LineTiming has it
@@ -78,21 +85,22 @@ class JoinCheck {
   static constexpr uint16_t LateInSync = 10000;  // us: two polls of a loop() of 5 ms
 
   // Returns true if more characters must have come in the time, even if the sender pauses, and the line has lost some.
-  bool hasLost(unsigned found, unsigned filled, uint8_t characterTime, bool isStretched) const {
-    const bool mayStretch = found < Size && (isStretched || _interval > CountedMax);
+  static bool hasLost(unsigned found, unsigned filled, unsigned interval, uint8_t characterTime, bool isStretched) {
+    const bool mayStretch = found < Size && (isStretched || interval > CountedMax);
     unsigned most = found * characterTime * (mayStretch ? 2 : 1) + Paused;
     for (unsigned whole = filled == 0 ? 0 : Size - filled; whole <= found + Dropped; whole += Size) {
       most += SilenceMax;
     }
-    return _interval > most;
+    return interval > most;
   }
 
   // Returns true if more have come than fit in the time, by far.
-  bool hasStopped(unsigned found, uint8_t characterTime) const {
-    return found > MostAtOnce && _interval < found * characterTime / 2;
+  static bool hasStopped(unsigned found, unsigned interval, uint8_t characterTime) {
+    return found > MostAtOnce && interval < found * characterTime / 2;
   }
 
-  unsigned _interval;  // us: the newest poll came so long after the one before it
+  unsigned _interval;  // us: the newest poll came so long after the one before it; 0 if the port was full
+  bool _isTrusted;     // the port tells what it has lost
   uint16_t _after;     // us: the incoming frame had not begun then
   bool _isCrowded;     // one of its polls found more than MostAtOnce
   uint8_t _doubt;      // crowded frames until all are believed
@@ -103,6 +111,7 @@ class JoinCheck {
 template <int Size>
 class JoinCheck<Size, false> {
  public:
+  void trustPort() {}                                                         ///< does nothing
   void reset() {}                                                             ///< does nothing
   void poll(unsigned, unsigned, uint32_t, unsigned, uint8_t, bool) {}         ///< does nothing
   static constexpr bool isUnplaced() { return false; }                        ///< returns false

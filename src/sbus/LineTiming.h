@@ -109,8 +109,6 @@ class LineTiming {
   unsigned interval() const { return capped(_lastPoll - _pollBefore); }
 
   uint8_t characterTime() const { return _characterTime; }  ///< us
-  /// Returns true if the port hands over each character at once.
-  bool holdsNothing() const { return _idleCharacters == 0; }
 
   /// Returns the longest silence(), in us, that is no gap.
   uint32_t shortestGap() const { return uint32_t{Gap} * _characterTime; }

@@ -114,6 +114,19 @@ TEST_CASE("a frame is unplaced if the poll that brings its end comes more than 8
   CHECK_FALSE(join.isUnplaced());
   join.poll(25, 0, 0, 8001, CharacterUs, false);
   CHECK(join.isUnplaced());
+  join.poll(59, 0, 0, 25000, CharacterUs, false);
+  CHECK(join.isUnplaced());
+  join.poll(60, 0, 0, 25000, CharacterUs, false);  // a full port
+  CHECK_FALSE(join.isUnplaced());
+}
+
+TEST_CASE("a port that tells what it has lost raises no doubt") {
+  Join join;
+  join.reset();
+  join.trustPort();
+  join.poll(3, 10, 0, 20000, CharacterUs, false);
+  CHECK_FALSE(join.isUnplaced());
+  CHECK(rejected(join, 20, 3, 20000) == 0);
 }
 
 TEST_CASE("where the clock runs no frame is rejected") {

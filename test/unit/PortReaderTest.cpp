@@ -19,6 +19,7 @@ uint32_t clockUs;
 
 struct FakePort {
   static constexpr bool HasCallback = true, TellsLoss = true;
+  bool tellsLoss() const { return false; }
   static uint32_t now() { return clockUs; }
 
   std::deque<uint8_t> bytes;
