@@ -151,6 +151,8 @@ printf 'libsigrok 0.5.2\nAcquisition with 1/1 channels at 1 MHz\nSBUS:00000000 0
 printf '(1436509052.249713) can0 123#0FE5031FF8C0073E\n' | rejected candump.log ": is candump's log: log2long < FILE prints bytes that are read"
 printf '  can0  123   [8]  0F E5 03 1F F8 C0 07 3E\n  can0  18FEF100   [4]  0F E5 03 1F\n' |
   rejected candump.txt ": is candump's print, and no frames are in it: sbus record makes a recording of a receiver's line"
+printf '  can0  18FEF100   [8]  0F E5 03 1F F8 C0 07 3E\n' |
+  rejected candump-29.txt ": is candump's print, and no frames are in it: sbus record makes a recording of a receiver's line"
 printf " (000.000000)  can0  123   [3]  0F E5 03    '...'\n" |
   rejected candump-a.txt ": is candump's print with characters beside the bytes: without -a it prints bytes that are read"
 printf ':10000000%s00\n:00000001FF\n' "$(echo "$frame" | tr -d ' ' | cut -c1-32)" |
