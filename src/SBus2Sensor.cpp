@@ -22,7 +22,7 @@ void SBus2Sensor::listen(unsigned long baud) {
 }
 
 void SBus2Sensor::stop() {
-  _port.tryLock();
+  _port.hold();
   _isTimed = false;
   sbus::barrier();
   sbus::SlotTimer::stop(this);

@@ -46,7 +46,7 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
   }
   modeA = SBUS_TIMER(TCCR, A);
   modeB = SBUS_TIMER(TCCR, B);
-  timed.take(port, due, context);
+  timed.claim(port, due, context);
   SBUS_TIMER(TCCR, A) = 0;
   SBUS_TIMER(TCCR, B) = Clock;
 #if defined(ICR4)

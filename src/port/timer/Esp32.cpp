@@ -56,7 +56,7 @@ void tick(void *) {
     return;
   }
   if (xSemaphoreTake(TaskLock::mutex, 0) == pdTRUE) {
-    PolledByTimer::tickAll();
+    PolledByTimer::pollDecoders();
     xSemaphoreGive(TaskLock::mutex);
   } else {
     wasDue = true;
@@ -69,7 +69,7 @@ void tick(void *) {
 PolledByTimer::Lock::~Lock() {
   if (wasDue) {
     wasDue = false;
-    tickAll();
+    pollDecoders();
   }
 }
 
@@ -130,7 +130,7 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
   const TaskLock lock;
   Esp32::limitBursts(port, HalfAFrame, Rank<1>());
   number = Number::of(port);
-  timed.take(port, due, context);
+  timed.claim(port, due, context);
   slots.callIn(Soonest);
   return true;
 }

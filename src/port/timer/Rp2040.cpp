@@ -70,7 +70,7 @@ unsigned core;
 Alarm ticks;
 
 void tick(unsigned) {
-  if (PolledByTimer::tickAll()) {
+  if (PolledByTimer::pollDecoders()) {
     ticks.next = Period;
   } else {
     ticks.callSoon();
@@ -103,13 +103,11 @@ namespace {
 TimedSensor<SerialUART> timed;
 Alarm slots;
 
-// If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): a poll would
-// find nothing, and seem to know that the frame has not ended. So it comes again.
 void slot(unsigned) {
-  if (timed.port->availableForWrite() > 0) {
-    timed.call();
-  } else {
+  if (SlotTimer::isInPort(*timed.port)) {
     slots.callSoon();
+  } else {
+    timed.call();
   }
   slots.arm();
 }
@@ -122,7 +120,7 @@ bool SlotTimer::start(SerialUART &port, void (*due)(void *), void *context) {
   if (timed.port != nullptr) {
     return timed.isOf(context);
   }
-  timed.take(port, due, context);
+  timed.claim(port, due, context);
   if (!slots.claim(slot, Alarm::Soonest)) {
     timed.port = nullptr;
   }

@@ -31,7 +31,7 @@ bool SlotTimer::start(Uart &port, void (*due)(void *), void *context) {
     stm32l0_timer_destroy(&timer);
     return false;
   }
-  timed.take(port, due, context);
+  timed.claim(port, due, context);
   return true;
 }
 
