@@ -48,10 +48,10 @@ class Alarm {
 
   // Sets `next` to a short time that changes from call to call: otherwise the interrupt could stay in step with a
   // loop() that is in a method of the port each time.
-  void callSoon() { next = next >= Soonest && next < 2 * Soonest ? next + 1 : Soonest; }
+  void callSoon() { next = next >= DelayMin && next < 2 * DelayMin ? next + 1 : DelayMin; }
 
-  static constexpr uint32_t Soonest = 10;  // us: loop() goes on meanwhile
-  uint32_t next;                           // us, until the next call
+  static constexpr uint32_t DelayMin = 10;  // us: loop() goes on meanwhile
+  uint32_t next;                            // us, until the next call
 
  private:
   unsigned _number;
@@ -121,7 +121,7 @@ bool SlotTimer::start(SerialUART &port, void (*due)(void *), void *context) {
     return timed.isOf(context);
   }
   timed.claim(port, due, context);
-  if (!slots.claim(slot, Alarm::Soonest)) {
+  if (!slots.claim(slot, Alarm::DelayMin)) {
     timed.port = nullptr;
   }
   return timed.port != nullptr;
@@ -136,7 +136,7 @@ void SlotTimer::stop(void *context) {
 
 // Called by due() only, in the interrupt.
 void SlotTimer::callIn(uint32_t us) {
-  if (us < Alarm::Soonest) {
+  if (us < Alarm::DelayMin) {
     slots.callSoon();
   } else {
     slots.next = us;
