@@ -173,8 +173,8 @@ TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms;
     CHECK(off.pulse <= Instruction);
     CHECK(off.channel <= Instruction);
     CHECK(off.period <= Instruction);
-    MESSAGE("PPM of a ", std::string(run.model.name), ", ", run.name, ": ", frames, " frames; off at most: pulses ",
-            off.pulse, " us, channels ", off.channel, " us, period ", off.period, " us");
+    figure("PpmOut (" + std::string(run.model.name) + "), line " + run.name + ": most that an edge is off",
+           rounded(std::max({off.pulse, off.channel, off.period}), 2) + " us");
     CHECK(board.mistakes() == "");
   }
 }
