@@ -49,7 +49,7 @@ check() {  # NAME
     return
   fi
   [ "$(grep -c '^| ' "$out/$1.page")" -gt 0 ] && ! grep -vxF -f "$out/$1" "$out/$1.page"
-  verdict $? "make $1"
+  verdict $? "$1"
 }
 
 # ms are cycles at 32 MHz.
