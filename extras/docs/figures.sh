@@ -24,6 +24,12 @@ print() {  # NAME
   sed -n 's/.*MESSAGE: \(| .* |\)$/\1/p' "$BUILD/avr/log"
 }
 
+# Succeeds if BoardTest has said what these sketches do.
+have_boards_run() {
+  [ -e "$BUILD/avr/log" ] &&
+    [ -z "$(find "$BUILD/avr" \( -name '*.elf' -o -name BoardTest \) -newer "$BUILD/avr/log")" ]
+}
+
 on_page() {  # NAME
   sed -n "/^<!-- $1: begin -->/,/^<!-- $1: end -->/p" $page | grep -vE '^(<!--.*)?$'
 }
@@ -38,8 +44,8 @@ check() {  # NAME
     echo "skipped figures: bench, there is no newlib for ARM here"
     return
   fi
-  if [ "$1" = boards ] && [ ! -e "$BUILD/avr/log" ]; then
-    echo "skipped figures: boards, boards-avr has not run"
+  if [ "$1" = boards ] && ! have_boards_run; then
+    echo "skipped figures: boards, STEPS=boards-avr has not run since they were built"
     return
   fi
   on_page "$1" >"$out/$1.page"
@@ -87,7 +93,8 @@ if [ "${1:-}" = check ]; then
   exit
 fi
 
-../../test/boards/avr/run.sh >"$out/boards.log"
+"${MAKE:-make}" --no-print-directory -s -f ../../test/boards/avr/build.mk OUT="$BUILD/avr" all 1>&2
+have_boards_run || ../../test/boards/avr/run.sh >"$out/boards.log"
 for name in size bench boards impairment; do
   print "$name" >"$out/$name" || exit 1
   cat "$out/$name"
