@@ -55,7 +55,7 @@ TEST_CASE(
     MESSAGE(std::string(model.name), ": ", avr::numbersIn(board.printed()[board.printed().size() - 2].text)[0],
             " frames; pulses of ", shortest, " to ", longest, " us");
     avr::figure("`DecodeSBusBackground` (" + std::string(model.name) + "): part of the board's time",
-                avr::rounded(share, 1) + " %");
+                avr::rounded(share, 0) + " %");
     CHECK(share > 1);
     CHECK(share < 6);
   }
