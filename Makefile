@@ -108,7 +108,7 @@ bench:
 	@$(MAKE) --no-print-directory -C test bench
 
 figures:
-	@sh extras/setup/packages.sh $(TEST) $(AVR) $(ARM) $(ARM_CXX) qemu-system-arm
+	@sh extras/setup/packages.sh $(TEST) $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm
 	@extras/docs/figures.sh
 
 docs:

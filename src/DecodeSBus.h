@@ -85,7 +85,7 @@ class DecodeSBusOf : protected Polling,
   /// classic ESP32 belong to its flash (extras/docs/boards.md).
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::Inverted) {
     this->stopPolling();
-    _port.tryLock();
+    _port.hold();
     open(baud, config);
     start(baud);
   }
@@ -94,7 +94,7 @@ class DecodeSBusOf : protected Polling,
   /// counters. Pending bytes count as new: if they may be old, read them first.
   void listen(unsigned long baud = sbus::Baud) {
     this->stopPolling();
-    _port.tryLock();
+    _port.hold();
     start(baud);
   }
 
@@ -102,7 +102,7 @@ class DecodeSBusOf : protected Polling,
   /// forever. The last frame can be decoded until it is stale.
   void end() {
     this->stopPolling();
-    _port.tryLock();
+    _port.hold();
     _port.close();
     _port.stop();
     _link.stop();

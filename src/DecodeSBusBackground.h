@@ -6,7 +6,7 @@
 
 #if !defined(SBUS_STM32L0)
 #include "port/timer/PolledByTimer.h"
-#if !defined(SBUS_TICKER)
+#if !defined(SBUS_POLLING_TIMER)
 #error "DecodeSBusBackground knows no timer of this core. Poll a DecodeSBus in loop(): extras/docs/interrupts.md"
 #elif defined(SBUS_SENSOR)
 #error "DecodeSBusBackground would delay the answers of an SBus2Sensor: extras/docs/interrupts.md"
@@ -14,7 +14,7 @@
 #define SBUS_BACKGROUND
 #endif
 
-#if !defined(SBUS_TICKER)
+#if !defined(SBUS_POLLING_TIMER)
 
 /// A Grasshopper's port calls back by itself: there this is `Decoder`.
 template <typename Decoder>

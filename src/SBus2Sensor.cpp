@@ -22,7 +22,7 @@ void SBus2Sensor::listen(unsigned long baud) {
 }
 
 void SBus2Sensor::stop() {
-  _port.tryLock();
+  _port.hold();
   _isTimed = false;
   sbus::barrier();
   sbus::SlotTimer::stop(this);
@@ -106,14 +106,14 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool fromCallback) 
                                       : sbus::SlotTimer::endOf(_isTimed, notice, found, before, by);
   const uint32_t apart = end.latest - end.earliest;
   const uint32_t frames = _finder.counters().frames;
-  constexpr uint32_t Widest = 1000;  // us: while no frame is expected, polls are farther apart
-  if (frames != _timedFrame + 1 || apart > Widest) {
+  constexpr uint32_t SpreadMax = 1000;  // us: while no frame is expected, polls are farther apart
+  if (frames != _timedFrame + 1 || apart > SpreadMax) {
     _interval.missed();
   }
   if (apart <= sbus::SlotSchedule::DeviationMax) {
     _timedFrame = frames;
     _interval.frame(end.earliest + apart / 2, answers.outcome());
-  } else if (apart <= Widest) {
+  } else if (apart <= SpreadMax) {
     _interval.endedBetween(end.earliest, end.latest);
   }
   constexpr uint16_t Taken = FrameTime + sbus::SlotSchedule::DeviationMax;  // us: an interval is known to 0.1 ms

@@ -174,7 +174,7 @@ check '^[{]"clean, odd 2F frames between", [{][1-9]' \
 check '\| [1-9][0-9]* \| 0 \| 0 \|$' "make impairment WITHOUT=falseSync FRAMES=200 ONLY='joined midway, short gaps'" 'make impairment WITHOUT=rule'
 check 'FrameFinderFuzz: .* \(1 s, seed ' 'make fuzz SECONDS=1' 'make fuzz' 'make fuzz SECONDS=60'
 check '^\| the longest call found: .*( \| [1-9][0-9]*){2} \|$' 'newlib && make bench' 'make bench'
-check '^(ok figures: make size|skipped figures: size, these compilers)' 'log figures "extras/docs/figures.sh check"' 'make size'
+check '^(ok figures: size|skipped figures: size, these compilers)' 'log figures "extras/docs/figures.sh check"' 'make size'
 check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
 check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z' \
   'make release VERSION=x.y.z URL=https://github.com/NAME/DecodeSBus' "make release VERSION=x.y.z MAINTAINER='NAME <ADDRESS>'"

@@ -1,7 +1,6 @@
 // Opens a file of any kind: line::FileHead decides what it is.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "line/Format.h"
-#include "line/FrameBytes.h"
 
 namespace tool {
 

@@ -18,7 +18,6 @@
 #include "line/recording/Recording.h"
 #include "line/recording/Words.h"
 #include "line/system/System.h"
-#include "sbus/FrameRules.h"
 
 namespace tool {
 

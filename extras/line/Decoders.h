@@ -53,7 +53,7 @@ class Places : public sbus::NoEvents {
 
 template <typename Format>
 struct PlacesOf : Places {
-  void taken(const uint8_t *frame) {
+  void accepted(const uint8_t *frame) {
     found(Format::Size == sbus::FrameSize ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size,
           Format::flags(frame));
   }

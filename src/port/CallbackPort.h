@@ -110,6 +110,12 @@ class CallbackPort : public Port {
     barrier();
     return true;
   }
+  // Lets no caller in, as after end(), until unlock(): loop() calls this, which no caller of its own can have
+  // interrupted.
+  void hold() {
+    _isBusy = true;
+    barrier();
+  }
   // Returns how often tryLock() has returned true, modulo 256.
   uint8_t polls() const { return _polls; }
   // Returns true if tryLock() has returned false meanwhile: bytes have come.
@@ -183,6 +189,7 @@ class CallbackPort : public Port {
   // An object that is not open takes bytes only if the sketch polls it. (Checked here, it would cost an AVR's sensor a
   // tenth of its answers.)
   static constexpr bool tryLock() { return true; }
+  static void hold() {}
   static constexpr uint8_t polls() { return 0; }
   static constexpr bool unlock() { return false; }
 };

@@ -28,7 +28,7 @@ constexpr uint8_t LongRise = 2;  // the line has been low for as long
 class EdgeDecoder {
  public:
   static constexpr uint8_t Room = 64;      // characters
-  static constexpr uint8_t Shortest = 12;  // ticks: no two edges of a character are nearer
+  static constexpr uint8_t ApartMin = 12;  // ticks: no two edges of a character are nearer
   static constexpr uint8_t None = 1;       // mask of an edge between two bits, or after the end
 
   // Returns, for each tick, which data bits an edge at this time changes: the one that begins there, and all after it;
@@ -125,7 +125,7 @@ class EdgeDecoder {
     uint8_t before = _before, time = _time, bits = _bits, level = _level;
     while (count != 0) {
       Plain::take(edges, count, before, time, bits, level);
-      if (count == 0 || *edges < Shortest || time == Closed || level == High ||
+      if (count == 0 || *edges < ApartMin || time == Closed || level == High ||
           static_cast<uint8_t>(End - time) >= *edges) {
         break;
       }
@@ -148,7 +148,7 @@ class EdgeDecoder {
 
   // Takes an edge that is more than the boundary of a data bit.
   __attribute__((noinline)) void step(uint8_t ticks) {
-    if (ticks >= Shortest && _time != Closed) {
+    if (ticks >= ApartMin && _time != Closed) {
       fail();  // between two bits, or high for longer than a character
     } else if (ticks == edge::Missed) {
       lose();
@@ -271,7 +271,7 @@ struct PlainEdges {
     for (; count != 0; count--) {
       const unsigned now = unsigned{time} + *edges;
       const uint8_t mask = now < 256 ? SBUS_IN_FLASH(EdgeDecoder::masks() + now) : EdgeDecoder::None;
-      if (*edges < EdgeDecoder::Shortest || mask == EdgeDecoder::None) {
+      if (*edges < EdgeDecoder::ApartMin || mask == EdgeDecoder::None) {
         return;
       }
       edges++;

@@ -67,12 +67,12 @@ class PortReader {
       now = Port::now();  // an interrupt may have come before available() or after it
     }
     if (found <= 0) {
-      take(_finder.idle(now));
+      noteFrame(_finder.idle(now));
       return;
     }
     expect(static_cast<unsigned>(found), asked, now, fromCallback);
     if (readAll(found) && _port.isIdle()) {
-      take(_finder.ended());
+      noteFrame(_finder.ended());
     }
   }
 
@@ -107,7 +107,7 @@ class PortReader {
         return false;
       }
       waiting -= count;
-      take(_finder.received(count, waiting));
+      noteFrame(_finder.received(count, waiting));
     }
     if (static_cast<unsigned>(found) > _port.halfCapacity() && _port.losesNewest()) {
       return !drop(static_cast<unsigned>(found));
@@ -115,7 +115,7 @@ class PortReader {
     return true;
   }
 
-  SBUS_IN_LINE void take(const uint8_t *frame) {
+  SBUS_IN_LINE void noteFrame(const uint8_t *frame) {
     if (frame != nullptr) {
       updateLink(frame);
     }

@@ -53,7 +53,7 @@ struct FastEdges {
         "3:\n"
         : [edges] "+x"(edges), [count] "+r"(count), [before] "+r"(before), [time] "+r"(time), [bits] "+r"(bits),
           [level] "+r"(level), [now] "=&d"(now)
-        : [masks] "r"(sbus::EdgeDecoder::masks()), [shortest] "M"(sbus::EdgeDecoder::Shortest),
+        : [masks] "r"(sbus::EdgeDecoder::masks()), [shortest] "M"(sbus::EdgeDecoder::ApartMin),
           [none] "M"(sbus::EdgeDecoder::None)
         : "r30", "r31", "memory");
   }
@@ -287,7 +287,7 @@ ISR(TIMER1_CAPT_vect, ISR_NAKED) {
       [acsr] "I"(_SFR_IO_ADDR(ACSR)), [tifr] "I"(_SFR_IO_ADDR(TIFR1)), [ices] "M"(_BV(ICES1)), [ices1] "I"(ICES1),
       [aci] "I"(ACI), [aco] "I"(ACO), [turn] "M"(_BV(ACI) | _BV(ACIS0)), [fall] "M"(Comparator),
       [rise] "M"(Comparator | _BV(ACIS0)), [tov] "I"(TOV1), [tovf] "M"(_BV(TOV1)), [icf] "M"(_BV(ICF1)),
-      [flags] "M"(_BV(ICF1) | _BV(TOV1)), [shortest] "M"(sbus::EdgeDecoder::Shortest), [missed] "M"(sbus::edge::Missed),
+      [flags] "M"(_BV(ICF1) | _BV(TOV1)), [shortest] "M"(sbus::EdgeDecoder::ApartMin), [missed] "M"(sbus::edge::Missed),
       [longfall] "M"(sbus::edge::LongFall), [longrise] "M"(sbus::edge::LongRise), [last] "i"(&sbusPinLast),
       [head] "i"(&sbusPinHead), [edges] "i"(sbusPinEdges));
 }

@@ -15,12 +15,12 @@
 namespace sbus {
 
 /// The events of a FrameFinder, in the order of the line's bytes. NoEvents ignores them at no cost; another class with
-/// these functions can take its place. Places are counted from the first byte that taken(), discarded() and extra()
+/// these functions can take its place. Places are counted from the first byte that accepted(), discarded() and extra()
 /// have not reported yet.
 struct NoEvents {
-  void begin() {}                 ///< reset() was called: all is forgotten
-  void interval(uint32_t) {}      ///< the next frame came this many us after the previous one; see Counters
-  void taken(const uint8_t *) {}  ///< the next bytes are this frame
+  void begin() {}                    ///< reset() was called: all is forgotten
+  void interval(uint32_t) {}         ///< the next frame came this many us after the previous one; see Counters
+  void accepted(const uint8_t *) {}  ///< the next bytes are this frame
   /// The next 25 bytes are this frame with header 2F, which was not yet complete at this time, us.
   void extra(const uint8_t *, uint32_t) {}
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
@@ -137,7 +137,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     if (!isDue() || (!isWhole && all >= Size) || !isInTime(now) || isAfterIdle) {
       lookForGap(silenceBefore(found, fromCallback ? now : _timing.lastPoll()), isWhole);
     }
-    _timing.take(now);
+    _timing.notePoll(now);
     _unread = 0;
     _sizeCheck.characters(found);
   }
@@ -229,7 +229,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   SBUS_IN_LINE bool isDue() const { return _aligned && _expectedAt == 0; }
   // Returns true if a frame that is complete by this time, us, is late by less than `late`, us.
   bool isInTime(uint32_t by, uint32_t late = LineTiming::StopMax) const {
-    return by - _takenBy < _counters.period + late;
+    return by - _lastBy < _counters.period + late;
   }
 
   // After lost bytes, or a silence longer than any frame period, the next character may stand anywhere in a frame.
@@ -383,7 +383,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     uint8_t *const beginning = _buffer.bytes();
     bool found = find();
     if (Format::HasExtra && found && _buffer[0] == ExtraHeader) {
-      takeExtra(waiting);
+      emitExtra(waiting);
       found = false;
     }
     _buffer.moveTo(beginning);
@@ -465,7 +465,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     }
   }
 
-  void takeExtra(int waiting) {
+  void emitExtra(int waiting) {
     noteEnd(waiting);
     countUp(_counters.extraFrames);
     if (!ChecksJoins || !mayBeJoined(true)) {
@@ -526,9 +526,9 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
     _counters.count(Format::flags(frame));
     _frameTime = _completeAfter;
-    _takenBy = _completeBy;
+    _lastBy = _completeBy;
     Events::interval(interval);
-    Events::taken(frame);
+    Events::accepted(frame);
     return frame;
   }
 
@@ -562,7 +562,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
   uint32_t _completeBy;  // us: time of the poll that brought its end
-  uint32_t _takenBy;     // us: likewise, of the last frame
+  uint32_t _lastBy;      // us: likewise, of the last frame
   Counters _counters;
 };
 

@@ -13,7 +13,7 @@ namespace sbus {
 /// - Its parts are a frame period apart, so it takes longer than a frame. So may a frame that comes slowly because
 ///   loop() polls seldom.
 ///
-/// So frames with these marks are doubted only for a while after a poll that shows lost characters or a stopped clock.
+/// So frames with these marks are doubted only for a while after a poll that has lost characters.
 /// Polls that come too seldom show nothing: isUnplaced().
 ///
 /// `IsUsed` is false where the clock runs on: there FrameFinder::checkFound() sees the lost time, and this class is
@@ -43,7 +43,7 @@ class JoinCheck {
     if (filled == 0) {
       _after = static_cast<uint16_t>(before);
     }
-    if (hasLost(found, filled, interval, characterTime, isStretched) || hasStopped(found, interval, characterTime)) {
+    if (hasLost(found, filled, interval, characterTime, isStretched)) {
       _doubt = DoubtMax;
     }
   }
@@ -88,15 +88,13 @@ class JoinCheck {
   static bool hasLost(unsigned found, unsigned filled, unsigned interval, uint8_t characterTime, bool isStretched) {
     const bool mayStretch = found < Size && (isStretched || interval > CountedMax);
     unsigned most = found * characterTime * (mayStretch ? 2 : 1) + Paused;
+    if (interval <= most) {  // as nearly always
+      return false;
+    }
     for (unsigned whole = filled == 0 ? 0 : Size - filled; whole <= found + Dropped; whole += Size) {
       most += SilenceMax;
     }
     return interval > most;
-  }
-
-  // Returns true if more have come than fit in the time, by far.
-  static bool hasStopped(unsigned found, unsigned interval, uint8_t characterTime) {
-    return found > MostAtOnce && interval < found * characterTime / 2;
   }
 
   unsigned _interval;  // us: the newest poll came so long after the one before it; 0 if the port was full

@@ -78,7 +78,7 @@ class LineTiming {
     const bool isKnown = _shortestInterval == HasEmptyPolls;
     const uint32_t us = (isKnown ? _lastPoll : now) - _lastBytes;
     const unsigned silence = ClockRuns && isKnown && static_cast<int32_t>(us) < 0 ? 0 : capped(us);
-    take(now);
+    notePoll(now);
     _lastPoll = asked;
     if (!isKnown) {
       return assumedBefore(found, silence);
@@ -89,8 +89,8 @@ class LineTiming {
     return isLong(silence) ? Silence::Long : endsFrame(silence, found) ? Silence::Wide : Silence::Gap;
   }
 
-  /// Takes the time of a poll that found bytes, of a port that tells itself when the line was idle.
-  void take(uint32_t now) {
+  /// Notes a poll that found bytes, of a port that tells itself when the line was idle.
+  void notePoll(uint32_t now) {
     _pollBefore = _lastPoll;
     _lastPoll = now;
     _lastBytes = now;

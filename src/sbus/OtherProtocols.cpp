@@ -34,17 +34,17 @@ void OtherProtocols::put(uint8_t byte) {
   _bytes[_next] = byte;
   _next = static_cast<uint8_t>(_next + 1 < Size ? _next + 1 : 0);
   _count++;
-  take(0, Finding::IBus, endOfIBus());
-  takeChecked();
-  take(3, Finding::FPort, endOfFPort());
-  take(4, Finding::Dbus, endOfDbus());
+  note(0, Finding::IBus, endOfIBus());
+  noteChecked();
+  note(3, Finding::FPort, endOfFPort());
+  note(4, Finding::Dbus, endOfDbus());
   if (isSpektrum()) {
     _found = Finding::Spektrum;
   }
 }
 
-// Takes the size of a packet that ends here; 0: none does.
-void OtherProtocols::take(uint8_t kind, Finding finding, uint8_t size) {
+// Notes that a packet of `size` bytes ends here; 0: none does.
+void OtherProtocols::note(uint8_t kind, Finding finding, uint8_t size) {
   Chain &chain = _chains[kind];
   if (size == 0) {
     return;
@@ -69,18 +69,18 @@ uint8_t OtherProtocols::endOfIBus() const {
   return at(1) == (sum & 0xFF) && at(0) == sum >> 8 ? IBusSize : 0;
 }
 
-// Takes packets of CRSF and SUMD, which tell their size: looks for a beginning that fits this end, one byte after the
+// Notes packets of CRSF and SUMD, which tell their size: looks for a beginning that fits this end, one byte after the
 // other.
-void OtherProtocols::takeChecked() {
+void OtherProtocols::noteChecked() {
   uint8_t place = _next, second = 0, third = 0;  // the bytes after the one at `place`
   for (uint8_t size = 1; size < Size; size++) {
     place = static_cast<uint8_t>(place == 0 ? Size - 1 : place - 1);
     const uint8_t first = _bytes[place];
     if (second == size - 2 && second >= 2 && (first == 0xC8 || first == 0xEE || first == 0xEA) && endsCrsf(size)) {
-      take(1, Finding::Crsf, size);
+      note(1, Finding::Crsf, size);
     } else if (first == 0xA8 && (second == 0x01 || second == 0x81) && third >= 2 && 2 * third + 5 == size &&
                endsSumd(size)) {
-      take(2, Finding::Sumd, size);
+      note(2, Finding::Sumd, size);
     }
     third = second;
     second = first;

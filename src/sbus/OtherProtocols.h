@@ -36,12 +36,12 @@ class OtherProtocols {
   uint8_t endOfIBus() const;
   bool endsCrsf(uint8_t size) const;
   bool endsSumd(uint8_t size) const;
-  void takeChecked();
+  void noteChecked();
   uint8_t endOfFPort() const;
   uint8_t endOfDbus() const;
   bool isSpektrum() const;
   uint16_t identifiers(uint8_t first) const;
-  void take(uint8_t kind, Finding finding, uint8_t size);
+  void note(uint8_t kind, Finding finding, uint8_t size);
 
   uint8_t _bytes[Size] = {};
   uint8_t _next = 0;

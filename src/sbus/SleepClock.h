@@ -49,7 +49,7 @@ class SleepClock {
   /// the age that micros() says.
   uint32_t age(uint32_t time, uint32_t now, uint32_t ms) const {
     const uint32_t lasted = ms - _ms + Before;
-    if (lasted > Longest + Before) {
+    if (lasted > LastedMax + Before) {
       return UINT32_MAX;
     }
     const uint32_t least = lasted > Before + Ticks ? (lasted - Before - Ticks) * 1000 : 0;
@@ -57,12 +57,12 @@ class SleepClock {
   }
 
  private:
-  static constexpr uint32_t Never = UINT32_MAX;                // ms, once in 49 days
-  static constexpr uint32_t Sleep = 50000;                     // us: longer than any frame period
-  static constexpr uint32_t Behind = 1 << 26;                  // us: 1 % of a wrap and more, by which millis() is slow
-  static constexpr uint32_t Ticks = 2;                         // ms: in no time at all millis() may gain 1.5 ms
-  static constexpr uint32_t Longest = UINT32_MAX / 1000 - 10;  // ms: shortly before micros() wraps
-  static constexpr uint32_t Before = 1000;                     // ms: `ms` may be that of an interrupted call
+  static constexpr uint32_t Never = UINT32_MAX;  // ms, once in 49 days
+  static constexpr uint32_t Sleep = 50000;       // us: longer than any frame period
+  static constexpr uint32_t Behind = 1 << 26;    // us: 1 % of a wrap and more, by which millis() is slow
+  static constexpr uint32_t Ticks = 2;           // ms: in no time at all millis() may gain 1.5 ms
+  static constexpr uint32_t LastedMax = UINT32_MAX / 1000 - 10;  // ms: shortly before micros() wraps
+  static constexpr uint32_t Before = 1000;                       // ms: `ms` may be that of an interrupted call
 
   uint32_t _time;
   uint32_t _ms;

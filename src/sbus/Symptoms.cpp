@@ -2,7 +2,7 @@
 
 namespace sbus {
 
-void Symptoms::taken(const uint8_t *frame) {
+void Symptoms::accepted(const uint8_t *frame) {
   const uint8_t flags = frame[FlagsIndex];
   _pulseless += (flags & (FlagLostFrame | FlagFailsafe)) == 0 && Frame16NoPulses::isZero(frame);
   _rhythm.put((flags & FlagLostFrame) != 0);

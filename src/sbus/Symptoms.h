@@ -26,7 +26,7 @@ class Symptoms : public NoEvents {
 
   // The events of a FrameFinder.
   void begin() { *this = Symptoms(); }                                   ///< see NoEvents
-  void taken(const uint8_t *frame);                                      ///< see NoEvents
+  void accepted(const uint8_t *frame);                                   ///< see NoEvents
   void extra(const uint8_t *frame, uint32_t) { put(frame, FrameSize); }  ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);                       ///< see NoEvents
   void lost() { _packets.spoil(); }                                      ///< see NoEvents

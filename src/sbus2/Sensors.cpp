@@ -20,8 +20,8 @@ __attribute__((noinline)) int32_t within(int32_t lowest, int32_t highest, int32_
 }
 unsigned atMost(unsigned highest, unsigned value) { return value > highest ? highest : value; }
 int within14(int value) {
-  constexpr int Highest = Valid14 - 1, Lowest = -Highest - 1;
-  return value < Lowest ? Lowest : value > Highest ? Highest : value;
+  constexpr int Max = Valid14 - 1, Min = -Max - 1;
+  return value < Min ? Min : value > Max ? Max : value;
 }
 
 bool isPosition(int32_t latitude, int32_t longitude) {

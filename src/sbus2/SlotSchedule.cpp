@@ -78,11 +78,11 @@ void SlotSchedule::stop(uint8_t first, uint8_t count) {
 }
 
 // Skips what is still planned from the frame before, since it is far too late, and what was never planned.
-void SlotSchedule::taken(const uint8_t *frame) {
+void SlotSchedule::accepted(const uint8_t *frame) {
   skip();
   _skipped += countOf(_wanted);
   const uint32_t rejected = rejectedGroups();
-  takeWhole(frame);
+  acceptWhole(frame);
   _outcome = Outcome::None;
   if (_out != 0) {
     _outcome = isEchoWrong(rejectedGroups() != rejected) ? Outcome::Collided : Outcome::Fine;

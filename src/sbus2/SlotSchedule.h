@@ -75,7 +75,7 @@ class SlotSchedule : public Telemetry {
 
   // The events of a FrameFinder.
   void begin();                                        ///< see NoEvents
-  void taken(const uint8_t *frame);                    ///< see NoEvents
+  void accepted(const uint8_t *frame);                 ///< see NoEvents
   void lost();                                         ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);     ///< see NoEvents
   static constexpr bool wantsTimes() { return true; }  ///< see NoEvents

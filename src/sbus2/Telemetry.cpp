@@ -196,7 +196,7 @@ void Telemetry::next(uint8_t newest) {
 }
 
 // A slot that lost its ID may look like one that is not on the line, in the place of one that is.
-void Telemetry::taken(const uint8_t *frame) {
+void Telemetry::accepted(const uint8_t *frame) {
   SlotData data[SlotsOfGroup];
   uint8_t found, expected = 0;
   const bool areSlots = findAll(found, data, expected);
@@ -209,7 +209,7 @@ void Telemetry::taken(const uint8_t *frame) {
   next(frame[EndIndex]);
 }
 
-void Telemetry::takeWhole(const uint8_t *frame) {
+void Telemetry::acceptWhole(const uint8_t *frame) {
   SlotData data[SlotsOfGroup];
   uint8_t found, expected;
   findAll(found, data, expected);

@@ -42,7 +42,7 @@ class Telemetry : public NoEvents {
   // The events of a FrameFinder.
   void begin();                                     ///< see NoEvents
   void interval(uint32_t us) { _interval = us; }    ///< see NoEvents
-  void taken(const uint8_t *frame);                 ///< see NoEvents
+  void accepted(const uint8_t *frame);              ///< see NoEvents
   void lost() { _count = Lost; }                    ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);  ///< see NoEvents
 
@@ -50,8 +50,8 @@ class Telemetry : public NoEvents {
   /// Moves the data that slot `slot` brought between the two newest frames to `data`. Returns false if it brought none.
   bool takeEcho(uint8_t slot, SlotData &data);
 
-  /// Like taken(), without wholeSlots(): some 500 bytes less on a Cortex-M0+.
-  void takeWhole(const uint8_t *frame);
+  /// Like accepted(), without wholeSlots(): some 500 bytes less on a Cortex-M0+.
+  void acceptWhole(const uint8_t *frame);
 
  private:
   static constexpr uint8_t Lost = UINT8_MAX;

@@ -155,11 +155,12 @@ TEST_CASE("a recording says when it began, and an older one does not") {
 TEST_CASE("a line counts from its first byte or a capture's beginning to its last, with frames or without") {
   struct {
     uint64_t beginUs;       // of the capture; 0: it is none
-    uint64_t byteUs[2];     // of bytes that are no frame
+    uint64_t byteUs[2];     // of bytes that are no frame: one before the frames; every 5 ms after them, up to this time
     uint64_t silentToUs;    // known at the end
     uint64_t fromUs, toUs;  // of the flight
     size_t spans;
     const char *end;
+    uint64_t againUs = 2950000;  // the first of the bytes after the frames
   } const table[] = {
       {0, {0, 0}, 0, 2000000, 2900000, 0, ""},
       {1950000, {0, 0}, 2990000, 2000000, 2900000, 0, ""},
@@ -175,6 +176,14 @@ TEST_CASE("a line counts from its first byte or a capture's beginning to its las
        4000000,
        2,
        "No frames at the end: for the last 1.100 s bytes come, but no frame."},
+      {0,
+       {0, 3500000},
+       0,
+       2000000,
+       3500000,
+       1,
+       "No frames at the end: for the last 0.600 s the line is silent.",
+       3500000},
   };
   for (const auto &row : table) {
     CAPTURE(&row - table);
@@ -188,8 +197,8 @@ TEST_CASE("a line counts from its first byte or a capture's beginning to its las
     for (uint64_t us = 2000000; us <= 2900000; us += 9000) {
       fly(flight, us, false, false);
     }
-    if (row.byteUs[1] > 0) {
-      flight.put({row.byteUs[1], 0x55});
+    for (uint64_t us = row.againUs; us <= row.byteUs[1]; us += 5000) {
+      flight.put({us, 0x55});
     }
     if (row.silentToUs > 0) {
       flight.idleUntil(row.silentToUs);

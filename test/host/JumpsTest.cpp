@@ -157,3 +157,24 @@ TEST_CASE(
   CHECK(line::jumpedText(jumps[0]) == "CH4");
   CHECK(line::jumpedText(jumps[1]) == "CH4, CH6");
 }
+
+TEST_CASE("a flight with nothing but jumps is a warning, with their number; a channel of 24 has its name") {
+  for (const unsigned most : {1U, 2U}) {
+    line::ObservedFlight flight(line::CharacterUs);
+    for (unsigned i = 0; i < 40; i++) {
+      uint16_t channels[sbus::ChannelCount] = {992, 992, 172, 992};
+      channels[3] = i == 10 || (i == 20 && most == 2) ? 2047 : 992;
+      uint8_t frame[sbus::FrameSize];
+      sbus::pack(frame, channels, false, false);
+      for (unsigned at = 0; at < sbus::FrameSize; at++) {
+        flight.put({9000 * (i + 1) + 120 * at, frame[at]});
+      }
+    }
+    flight.finish();
+    const line::FlightVerdict verdict = line::verdictOf(flight.log());
+    CHECK(verdict.severity == line::FlightVerdict::Severity::Warning);
+    CHECK(verdict.text == "No failsafe, no silence, but channels have jumped for one frame " +
+                              std::string(most == 1 ? "1 time" : "2 times") + "; 0.00 % of the frames lost.");
+  }
+  CHECK(line::jumpedText({line::FlagSpan::Kind::Jump, 0, 9000, 1U << 23}) == "CH24");
+}

@@ -79,9 +79,9 @@ struct Column {
 void printWorst(const Condition &condition) {
   const Column ours(condition, Decoder::Ours);
   const Column papers(condition, Decoder::Papers);
-  printRow({condition.name, std::to_string(ours.sum.damages()), ours.missed(), std::to_string(ours.sum.wrong),
-            std::to_string(ours.sum.late), std::to_string(ours.sum.tooYoung), std::to_string(ours.sum.altered),
-            papers.missed(), std::to_string(papers.sum.wrong)});
+  printRow({condition.name, std::to_string(ours.sum.damages()), std::to_string(ours.sum.missed), ours.missed(),
+            std::to_string(ours.sum.wrong), std::to_string(ours.sum.late), std::to_string(ours.sum.tooYoung),
+            std::to_string(ours.sum.altered), papers.missed(), std::to_string(papers.sum.wrong)});
 }
 
 void printSum(const Condition &condition) {
@@ -168,7 +168,7 @@ int main() {
                   "altered, delivered", "the paper's: damaged", "intact", "missed", "wrong", "late", "too young",
                   "altered, delivered"});
   } else {
-    printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "too young", "altered, delivered",
+    printHeading({"line", "damaged", "missed", "missed per damaged", "wrong", "late", "too young", "altered, delivered",
                   "the paper's: missed per damaged", "wrong"});
   }
   for (const Condition &condition : conditions()) {

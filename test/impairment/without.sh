@@ -3,7 +3,8 @@
 # without it. Each rule is a function: in the copy it returns at once what RULES says.
 #   without.sh NAME     a rule of RULES; another name prints them all
 #   without.sh table    measures all of them, some minutes, and writes the last two columns of rules.md's table
-#   without.sh current  says "ok ..." or "FAILED ..." of each rule: is the column "missed, wrong" as the bench has it now?
+#   without.sh current TABLE   says "ok ..." or "FAILED ..." of each rule: is the column "missed, wrong" as in TABLE, what
+#                       `make impairment` has printed?
 #   without.sh check    says "ok ..." or "FAILED ..." of each rule: is it one function, does the core compile without it, and
 #                       has extras/docs/rules.md a row for it?
 # BUILD: an absolute folder for what is built. FRAMES, SEED and ONLY as for `make impairment`.
@@ -67,9 +68,9 @@ elif [ "$1" = table ]; then
     sed -i "s/^\(| .* | \`$rule\` | [^|]* |\) .* |\$/\1 $with | $without |/" "$page"
   done
 elif [ "$1" = current ]; then
-  bench || exit 1
   for rule in $rules; do
-    with=$(sums "$plain/impairment/Impairment" "$rule")
+    with=$(awk -F ' [|] ' -v only="$(column "$rule" 4)" \
+      '/^[|] / && index($1, only) { missed += $3; wrong += $5 } END { print missed ", " wrong }' "$2")
     if grep -q "| \`$rule\` | [^|]* | $with | [^|]* |\$" "$page"; then echo "ok rules.md: $rule"
     else echo "FAILED rules.md: the rule $rule: now $with: test/impairment/without.sh table"; fi
   done

@@ -27,6 +27,13 @@ def rows(data, size, form):
     return "".join(form(at, data[at:at + size]) + "\n" for at in range(0, len(data), size))
 
 
+def strace(data, i=0):
+    """As strace prints a string: octal numbers as short as they can be."""
+    letters = {9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r", 34: '\\"', 92: "\\\\"}
+    return "".join(letters.get(byte) or (chr(byte) if 32 <= byte < 127 else
+                   "\\%03o" % byte if data[at + 1:at + 2].isdigit() else "\\%o" % byte) for at, byte in enumerate(data))
+
+
 def ascii(data):
     return "".join(chr(byte) if 32 <= byte < 127 else "." for byte in data)
 
@@ -34,6 +41,7 @@ def ascii(data):
 UPPER, LOWER = numbers("%02X", " "), numbers("%02x", " ")
 MARKED, COMMAS = numbers("0x%02X", " "), numbers("0x%02x", ", ")
 DECIMAL = numbers("%d", ", ")
+OCTAL = lambda data, i=0: "".join("\\%03o" % byte for byte in data)
 ESCAPED = lambda data, i=0: "".join("\\x%02x" % byte for byte in data)
 
 WAYS = {
@@ -137,6 +145,9 @@ WAYS = {
     "offsets of four digits": rows(ALL, 16, lambda at, row: f"{at:04x}: {LOWER(row)}"),
     "offsets of four digits from 1000 on": rows(ALL, 16, lambda at, row: f"{0x1000 + at:04x}: {LOWER(row)}"),
     "gdb": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x}:\t" + "\t".join("0x%02x" % byte for byte in row)),
+    "gdb, a string": lines(lambda data, i: f'${i + 1} = "{OCTAL(data)}"'),
+    "strace": lines(lambda data, i: f'read(3, "{strace(data)}", 25) = 25'),
+    "strace -xx": lines(lambda data, i: f'read(3, "{ESCAPED(data)}", 25) = 25'),
     "gdb with a name": rows(ALL, 8, lambda at, row: f"0x{0x20000000 + at:x} <frames+{at}>:\t" + "\t".join("0x%02x" % byte for byte in row)),
     "frames and CR LF": lines(lambda data, i: UPPER(data + b"\r\n")),
     "frames and zeros, as ArduPilot prints RCDA": lines(lambda data, i: COMMAS(data + bytes(15))),

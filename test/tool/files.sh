@@ -82,6 +82,9 @@ done
 printf '03 1F %s %s\n10 %s\n' "$frame" "$frame" "$frame" >"$work/cut.txt"
 "$SBUS" record "$work/cut.txt" -o - 2>"$work/err" >"$work/cut.recording" && [ "$(bytes "$work/cut.recording" | wc -l)" -eq 78 ]
 verdict $? "bytes without times are recognised even if a line begins with decimal digits"
+printf '80 91 3D F0 81 0F 7C 00 00 %s %s %s\n' "$frame" "$frame" "$frame" >"$work/middle.txt"
+[ "$("$SBUS" hex "$work/middle.txt" 2>"$work/err" | grep -c ' frame ')" -eq 3 ] && grep -qF 'times are not known' "$work/err"
+verdict $? "bytes in a single line are recognised even if it begins with decimal digits, in the middle of a frame"
 printf '30 0F E5\n' >"$work/time.txt"
 "$SBUS" hex "$work/time.txt" 2>"$work/err" | grep -q '  0F E5  ' && [ ! -s "$work/err" ]
 verdict $? "a single time of two digits is a time"
@@ -148,8 +151,12 @@ printf 'libsigrok 0.5.2\nAcquisition with 1/1 channels at 1 MHz\nSBUS:00000000 0
 printf '(1436509052.249713) can0 123#0FE5031FF8C0073E\n' | rejected candump.log ": is candump's log: log2long < FILE prints bytes that are read"
 printf '  can0  123   [8]  0F E5 03 1F F8 C0 07 3E\n  can0  18FEF100   [4]  0F E5 03 1F\n' |
   rejected candump.txt ": is candump's print, and no frames are in it: sbus record makes a recording of a receiver's line"
+printf '  can0  18FEF100   [8]  0F E5 03 1F F8 C0 07 3E\n' |
+  rejected candump-29.txt ": is candump's print, and no frames are in it: sbus record makes a recording of a receiver's line"
 printf " (000.000000)  can0  123   [3]  0F E5 03    '...'\n" |
   rejected candump-a.txt ": is candump's print with characters beside the bytes: without -a it prints bytes that are read"
+printf ':10000000%s00\n:00000001FF\n' "$(echo "$frame" | tr -d ' ' | cut -c1-32)" |
+  rejected firmware.hex ": is a file of Intel HEX: objcopy -I ihex -O binary FILE.hex FILE.bin makes bytes of it"
 dump=': is a dump of bits, characters, or numbers that are not hexadecimal: xxd, hexdump -C or od -v -t x1 prints one that is read'
 for tool in od 'od -b' 'od -c' 'od -t u1' 'hexdump -b' 'xxd -b'; do
   # shellcheck disable=SC2086  # the tool's arguments are words

@@ -130,6 +130,12 @@ END
 diff "$work/wanted" "$work/text" && "$SBUS" summary "$work/head.txt" | grep -A 1 '^no frames    1 time, 1.011 s in all' | grep -q ' 0.000 s to *1.011 s' &&
   "$SBUS" summary "$work/tail.txt" | grep -q '^finding      No frames at the end: for the last 0.9[89][0-9] s bytes come, but no frame.$'
 verdict $? "bytes without a frame before the first one and after the last one count"
+# Bytes of one length after the frames do not make the frames wrong; and one byte does not make a silence a line.
+{ cat "$work/clean.txt"; awk 'END { for (us = $1; us < 1e6 + $1; us += 9000) { printf us + 9000; for (i = 0; i < 25; i++) printf " 00"; print "" } }' "$work/clean.txt"; } >"$work/zeros.txt"
+{ cat "$work/clean.txt"; awk 'END { print $1 + 3e6, "00" }' "$work/clean.txt"; } >"$work/stray.txt"
+for name in zeros stray; do "$SBUS" summary "$work/$name.txt" | grep '^finding'; done | sed -E 's/[0-9]\.[0-9]+ s/S/' >"$work/text"
+printf 'finding      No frames at the end: for the last S %s.\n' 'bytes come, but no frame' 'the line is silent' | diff - "$work/text"
+verdict $? "a flight that ends in bytes of one length, or in a silence with a byte in it, is named for what it is"
 # A capture whose wire goes silent before its end: an edge of another signal tells that it goes on.
 "$SBUS" wave "$work/clean.txt" -o "$work/clean.vcd" && sed 's/^\$enddefinitions/$var wire 1 x OTHER $end\n&/; $a#12000000\n0x' "$work/clean.vcd" >"$work/silent.vcd"
 "$SBUS" summary "$work/silent.vcd" >"$work/text"; "$SBUS" doctor "$work/silent.vcd" >>"$work/text"

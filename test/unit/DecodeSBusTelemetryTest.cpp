@@ -241,7 +241,7 @@ TEST_CASE("while frames are missing, the age goes on") {
       telemetry.begin();
       const auto take = [&](unsigned frame, uint32_t us) {
         telemetry.interval(us);
-        telemetry.taken(plainFrame(0, static_cast<uint8_t>(frame % 4 << 4 | 4)).data());
+        telemetry.accepted(plainFrame(0, static_cast<uint8_t>(frame % 4 << 4 | 4)).data());
       };
       unsigned frame = slot / sbus::SlotsOfGroup;
       take(frame, PeriodUs);
@@ -299,16 +299,16 @@ TEST_CASE("if the next frame is lost, its group is read up to that frame; if mor
     sbus::Telemetry telemetry;
     telemetry.begin();
     for (const uint8_t data : {uint8_t{0x80}, uint8_t{0x99}}) {
-      telemetry.taken(plainFrame(0, 0x04).data());
+      telemetry.accepted(plainFrame(0, 0x04).data());
       telemetry.discarded((Bytes{0x83, data, 0x38}).data(), 3);
       if (data == 0x80) {
-        telemetry.taken(plainFrame(0, 0x14).data());
+        telemetry.accepted(plainFrame(0, 0x14).data());
       }
     }
     for (unsigned i = 0; i < row.lost; i++) {
       telemetry.discarded(plainFrame(1, 0x14).data(), 23);
     }
-    telemetry.taken(plainFrame(2, row.newest).data());
+    telemetry.accepted(plainFrame(2, row.newest).data());
     sbus::SlotData data;
     REQUIRE(telemetry.read(1, 1, &data));
     CHECK((data.data0 == 0x99) == row.isRead);

@@ -51,7 +51,7 @@ int rejected(Join &join, int frames, unsigned found, uint32_t us, bool isInSync 
 
 }  // namespace
 
-TEST_CASE("a poll raises a doubt for 100 crowded frames if it must have found more, or if its clock has stood still") {
+TEST_CASE("a poll raises a doubt for 100 crowded frames if it must have found more") {
   struct Row {
     const char *as;
     unsigned found, filled, mostUs;
@@ -70,11 +70,6 @@ TEST_CASE("a poll raises a doubt for 100 crowded frames if it must have found mo
     CHECK(doubtsAfter(row.found, row.filled, row.mostUs, row.isStretched) == 0);
     CHECK(doubtsAfter(row.found, row.filled, row.mostUs + 1, row.isStretched) == 100);
   }
-  for (const unsigned found : {3U, 25U}) {
-    CHECK(doubtsAfter(found, 0, found * 60) == 0);
-    CHECK(doubtsAfter(found, 0, found * 60 - 1) == 100);
-  }
-  CHECK(doubtsAfter(2, 0, 0) == 0);
 }
 
 TEST_CASE("a frame whose polls found two characters at most is no join, however long it took") {

@@ -27,7 +27,7 @@ void write(SlotSchedule &answers, uint8_t first, uint8_t count, uint8_t round = 
   CHECK(answers.write(first, count, dataFrom(first, count, round).data()));
 }
 
-void take(SlotSchedule &answers, uint8_t end) { answers.taken(plainFrame(0, end).data()); }
+void take(SlotSchedule &answers, uint8_t end) { answers.accepted(plainFrame(0, end).data()); }
 
 // Reports a frame with this end byte, which ended between these times.
 void frame(SlotSchedule &answers, uint8_t end, uint32_t earliest, uint32_t latest, uint32_t gap = 12000) {

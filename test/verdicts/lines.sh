@@ -31,6 +31,7 @@ lines() {
       } else if (kind == "r7003sb") print us, futaba, "08 00 03 C0 33 00"
       else if (kind == "other") print us, "55 AA 01 02 03 04 05 06"
       else if ((kind == "ends" && us > 1500000) || (kind == "begins" && us < 1500000)) print us, "55 AA 01 02 03 04 05 06 55 AA 01 02 03 04 05 06"
+      else if (kind == "zeros-after" && us > 1500000) print us, "00 00 00", zero, zero
       else if (kind == "ibus") print us, "20 40 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 DC 05 51 F3"
       else if (kind == "crsf") print us, "C8 18 16 E0 03 DF F7 C0 C7 0A F0 81 0F 7C E0 03 1F F8 C0 07 3E F0 81 0F 7C 41"
       else if (kind == "24" || (kind == "16to24" && us > 1500000) || (kind == "24to16" && us < 300000)) print us, twentyfour, "00 00"
@@ -93,7 +94,7 @@ at_adapter() {
     END { packet(timer) }'
 }
 
-for kind in 80ms 80ms-missing 120ms 200ms spread ends begins paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other header-f0 header-f0-zeros end-55 24-bytes 23-bytes flags-high dbus seven-bits in-turn at-random jumps 24 16to24 24to16 half chance cut noise bad good; do
+for kind in 80ms 80ms-missing 120ms 200ms spread ends zeros-after begins paused idle 8n2 flipped fast gap ibus crsf failsafe no-pulses four-zero zero-failsafe no-radio sbus2 r7003sb other header-f0 header-f0-zeros end-55 24-bytes 23-bytes flags-high dbus seven-bits in-turn at-random jumps 24 16to24 24to16 half chance cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
 head -n 3 "$folder/good.txt" >"$folder/one.txt"

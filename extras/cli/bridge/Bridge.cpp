@@ -1,6 +1,5 @@
 #include "cli/bridge/Bridge.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <optional>

@@ -1,7 +1,6 @@
 // --range on the command line: which raw values are -100, 0 and +100 %.
 #pragma once
 
-#include <cstdio>
 #include <string>
 
 #include "cli/options/Subcommand.h"

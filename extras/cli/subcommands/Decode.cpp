@@ -140,22 +140,18 @@ class DecodeTable {
 
   // Returns "parity error, the parity bit is 1 on the wire, 0 is expected".
   std::string fault(const line::WireCharacter &character) const {
-    if (!_isMeasured) {
-      return std::string(character.parityWrong ? "parity error" : "") +
-             (character.parityWrong && character.stopWrong ? "; " : "") + (character.stopWrong ? "framing error" : "");
-    }
     // Levels of the wire, as an oscilloscope shows them.
     const int idle = _inverted ? 0 : 1;
     const int parity = line::isOdd(character.value) ? idle : 1 - idle;
-    const std::string parityError =
-        character.parityWrong
-            ? line::format("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity)
-            : "";
-    const std::string framingError =
-        character.stopWrong
-            ? line::format("framing error, the first stop bit is %d on the wire, %d is expected", 1 - idle, idle)
-            : "";
-    return parityError + (character.parityWrong && character.stopWrong ? "; " : "") + framingError;
+    const auto error = [this](bool is, const char *name, const char *bit, int level) {
+      return !is ? ""
+                 : name + (_isMeasured
+                               ? line::format(", the %s bit is %d on the wire, %d is expected", bit, 1 - level, level)
+                               : "");
+    };
+    return error(character.parityWrong, "parity error", "parity", parity) +
+           (character.parityWrong && character.stopWrong ? "; " : "") +
+           error(character.stopWrong, "framing error", "first stop", idle);
   }
 
   const bool _showsCharacters;

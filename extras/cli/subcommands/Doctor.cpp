@@ -130,7 +130,8 @@ std::optional<Verdict> verdictOnBaud(sbus::Finding finding, const std::vector<st
 
 Verdict verdictOnLine(sbus::Finding finding, const SettingTrial &best, const std::string &advice) {
   const bool well = line::isWell(finding);
-  const std::string part = well || finding == sbus::Finding::NoFrames ? best.framesInPart() : "";
+  const bool areOthers = finding == sbus::Finding::NoFrames || finding == sbus::Finding::WrongPackets;
+  const std::string part = well || areOthers ? best.framesInPart() : "";
   if (!part.empty()) {
     return {false, part, "What changed then: the sender, its settings, the wire? sbus summary lists the times."};
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -111,11 +110,16 @@ std::string findings(const std::vector<std::string> &all) {
 std::string text(const line::FlightLog &flight, const SourceOption &source, sbus::Finding finding) {
   const line::FlightCounts &counts = flight.counts();
   const std::string damage = source.isFile() ? source.file().damage : "";
+  const std::string end = source.hasTimes() ? flight.endText() : "";
+  const bool isOfEnd = finding == sbus::Finding::WrongPackets && !end.empty();
   return source.name() + ": " + flight.variant() + ", " +
          line::format(
              "%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
              counts.frames, counts.lostFrames, counts.failsafeFrames, counts.discardedBytes, counts.characterErrors) +
-         findings({damage.empty() ? findingText(finding) : damage, source.hasTimes() ? flight.endText() : ""}) +
+         findings({!damage.empty() ? damage
+                   : isOfEnd       ? ""
+                                   : findingText(finding),
+                   end}) +
          (source.hasTimes() ? textOf(flight, source.zeroUs()) : "frames       -, times are not known\n");
 }
 

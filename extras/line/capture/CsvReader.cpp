@@ -1,6 +1,5 @@
 #include "line/capture/CsvReader.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "line/capture/Parsing.h"

@@ -1,7 +1,5 @@
 #include "line/capture/EdgeStore.h"
 
-#include <algorithm>
-
 namespace line {
 
 void EdgeStore::put(int64_t ns, bool high) {

@@ -1,7 +1,6 @@
 #include "line/capture/Parsing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace line {

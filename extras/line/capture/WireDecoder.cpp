@@ -1,7 +1,5 @@
 #include "line/capture/WireDecoder.h"
 
-#include <algorithm>
-
 #include "line/capture/Parsing.h"
 
 namespace line {

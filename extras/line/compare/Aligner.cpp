@@ -1,9 +1,5 @@
 #include "line/compare/Aligner.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "line/Format.h"
 
 namespace line {

@@ -132,7 +132,7 @@ void ByteText::findStyle(std::string_view head) {
   bool any = false, hasLetters = false;
   for (size_t i = 0; i < HeadLines && !head.empty(); i++) {
     const std::string_view text = takeLine(head);
-    _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && text.find("\\x") != text.npos);
+    _hasStrings = _hasStrings || (text.substr(0, 1) != "#" && hasEscapes(text));
     forEachWord(text, [this](std::string_view word, std::string_view) {
       _hasMarks = (isNumber(word) && takeMark(word)) || _hasMarks;
     });

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "line/file/TextNumbers.h"
 
@@ -36,7 +35,7 @@ class ByteText {
   // Takes a dump's words for bytes in the other order: xxd -e prints them as a PC reads them.
   void swapWords() { _areSwapped = !_areSwapped; }
 
-  bool isDecimal() const { return _base == 10; }
+  bool isDecimal() const { return _base == 10 && !_hasStrings; }
 
   // Appends the bytes of a line. Returns what is wrong with it and what is expected, or nothing; a line may hold no
   // bytes.

@@ -1,6 +1,5 @@
 #include "line/file/BytesReader.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <tuple>
 #include <utility>

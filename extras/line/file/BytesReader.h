@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "line/LineSettings.h"
 #include "line/file/ByteText.h"

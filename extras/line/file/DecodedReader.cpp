@@ -62,13 +62,9 @@ std::string DecodedReader::line(std::string_view text, std::deque<Character> &ch
   std::string_view rest = text;
   double ms = 0;
   if (takeHexRow(rest, ms)) {
-    std::string bytes(rest);
     std::vector<Character> came;
-    for (size_t bad = bytes.find('!'); bad != bytes.npos; bad = bytes.find('!', bad + 1)) {
-      bytes.insert(bad + 1, " ");
-    }
-    return parseHex(bytes, came) ? put(std::llround(ms * 1000), 0, came, characters)
-                                 : quoted(withoutBlanks(rest)) + " are no bytes";
+    return parseHex(rest, came) ? put(std::llround(ms * 1000), 0, came, characters)
+                                : quoted(withoutBlanks(rest)) + " are no bytes";
   }
   const std::string_view first = takeWord(rest), values = rest, second = takeWord(rest);
   if (first == "time" && second != "ms") {

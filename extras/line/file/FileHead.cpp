@@ -32,9 +32,10 @@ bool isRaw(std::string_view begin) {
 }
 
 // Returns true for a text whose first line is a recording's: a time, then bytes in hexadecimal. Two digits are a time
-// only in a single line: lines are further apart than that.
+// only in a single line of a frame at most: lines are further apart than that.
 bool isRecording(std::string_view text) {
   std::string_view times[2];
+  size_t bytes = 0;
   for (size_t lines = 0; lines < 2 && !text.empty();) {
     std::string_view line = takeLine(text);
     const std::string_view time = takeWord(line);
@@ -46,13 +47,14 @@ bool isRecording(std::string_view text) {
     digits.remove_prefix(digits.front() == '-' ? 1 : 0);
     bool isByte = lines == 2 || !withoutBlanks(line).empty();
     for (std::string_view word = takeWord(line); !word.empty() && lines == 1; word = takeWord(line)) {
+      bytes++;
       isByte = isByte && word.size() <= 3 && (word.size() < 3 || word.back() == '!');
     }
     if (!isByte || digits.empty() || !std::all_of(digits.begin(), digits.end(), isDigit)) {
       return lines == 2 && times[0].size() != 2;
     }
   }
-  return !times[0].empty() && !(times[0].size() == 2 && times[1].size() == 2);
+  return !times[0].empty() && !(times[0].size() == 2 && (times[1].size() == 2 || bytes > sbus::FrameSize24));
 }
 
 // An oscilloscope's columns look like a sketch's rows with times; but no receiver is seen in rows further apart than

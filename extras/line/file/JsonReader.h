@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "line/file/LineReader.h"
 #include "line/LineSettings.h"

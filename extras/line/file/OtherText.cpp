@@ -67,6 +67,13 @@ bool isCandump(std::string_view text) {
          takeWord(line).find('#') != line.npos;
 }
 
+// :10010000214601360121470136007EFE09D2190140, a programmer's file
+bool isIntelHex(std::string_view text) {
+  const std::string_view word = takeWord(text);
+  return word.size() > 10 && word.front() == ':' && word.size() % 2 == 1 &&
+         consistsOf(word.substr(1), "0123456789ABCDEFabcdef");
+}
+
 }  // namespace
 
 std::string whatText(std::string_view begin) {
@@ -77,8 +84,9 @@ std::string whatText(std::string_view begin) {
   const bool isOtherDump = areDigits(text) || (isDump(text) && !ByteText(text, true).isBytes());
   return isSigrok ? "is sigrok-cli's print of samples: -O vcd -o FILE.vcd makes a capture of them, -A uart=rx-data "
                     "prints a decoder's bytes"
-         : areBits(text)   ? "is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
-         : isCandump(text) ? "is candump's log: log2long < FILE prints bytes that are read"
+         : isIntelHex(text) ? "is a file of Intel HEX: objcopy -I ihex -O binary FILE.hex FILE.bin makes bytes of it"
+         : areBits(text)    ? "is sigrok's annotations of bits: export the bytes alone, with sigrok-cli -A uart=rx-data"
+         : isCandump(text)  ? "is candump's log: log2long < FILE prints bytes that are read"
          : hasCharacters
              ? "is candump's print with characters beside the bytes: without -a it prints bytes that are read"
          : isPrint && !BytesReader(begin, true, LineSettings()).hasFrames()

@@ -21,6 +21,12 @@ char signOf(std::string_view between) {
                                                                                        : '\0';
 }
 
+// Returns how many octal digits are there: up to three of them are a byte.
+size_t octalDigits(std::string_view text, size_t at) {
+  const std::string_view digits = text.substr(std::min(at, text.size()), 3);
+  return std::min(digits.find_first_not_of("01234567"), digits.size());
+}
+
 // Takes the character after a backslash, as Python and C write it. Returns false for others.
 bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
   constexpr std::string_view Letters = "abfnrtv\\'\"";
@@ -29,6 +35,11 @@ bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
   if (letter == 'x') {
     at += 3;
     return at <= text.size() && parseWhole(text.substr(at - 2, 2), value, 16);
+  }
+  const size_t octal = octalDigits(text, at);
+  if (octal > 0) {
+    at += octal;
+    return parseWhole(text.substr(at - octal, octal), value, 8);
   }
   const size_t known = Letters.find(letter);
   value = known == Letters.npos ? uint8_t{0} : static_cast<uint8_t>(Values[known]);
@@ -71,6 +82,14 @@ bool takeHex(std::string_view word, TextBytes &bytes) {
     bytes.push_back({value, isBad && at + 2 >= word.size()});
   }
   return !word.empty();
+}
+
+bool hasEscapes(std::string_view text) {
+  size_t octal = 0;
+  for (size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
+    octal += octalDigits(text, at + 1) > 0;
+  }
+  return text.find("\\x") != text.npos || octal >= RunLeast;
 }
 
 std::string readStrings(std::string_view text, TextBytes &bytes) {

@@ -62,6 +62,9 @@ bool isNumber(std::string_view word);
 // Reads a number with one digit, or bytes of two digits. Returns false for other words.
 bool takeHex(std::string_view word, TextBytes &bytes);
 
+// Returns true if a line has bytes in strings: \x0F, or several in octal, as strace and gdb print them.
+bool hasEscapes(std::string_view text);
+
 // Reads the strings in a line; without quotation marks, from the first backslash to the end.
 std::string readStrings(std::string_view text, TextBytes &bytes);
 

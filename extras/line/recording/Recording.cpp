@@ -1,8 +1,6 @@
 #include "line/recording/Recording.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <utility>
 
 #include "line/recording/CsvRows.h"
 #include "line/recording/WallTime.h"

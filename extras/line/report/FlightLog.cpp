@@ -82,6 +82,7 @@ void FlightLog::heard(uint64_t us, bool isSilence) {
     _flags.begin(us);
   }
   _toUs = std::max(_toUs, us);
+  _silentUs = std::max(_silentUs, us - std::min(us, _byteUs));
   _byteUs = isSilence ? _byteUs : us;
 }
 
@@ -97,7 +98,7 @@ std::string FlightLog::endText() const {
   return _toUs == lastUs()
              ? ""
              : format("No frames at the end: for the last %.3f s %s.", static_cast<double>(_toUs - lastUs()) / 1e6,
-                      _byteUs > lastUs() + SilenceUs ? "bytes come, but no frame" : "the line is silent");
+                      2 * _silentUs > _toUs - lastUs() ? "the line is silent" : "bytes come, but no frame");
 }
 
 void FlightLog::put(const FlightFrame &frame) {
@@ -107,6 +108,7 @@ void FlightLog::put(const FlightFrame &frame) {
   }
   const bool isJoined = !_flags.brokenUntil(frame.us, frame.lateUs) && _flags.lastUs() > 0;
   _rate.put(frame.us, frame.lateUs, isJoined);
+  _silentUs = _byteUs - std::min(_byteUs, frame.us);
   FlightSecond &second = _seconds[frame.us / SecondUs];
   second.frames++;
   second.lost += frame.lost;

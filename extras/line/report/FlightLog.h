@@ -80,7 +80,8 @@ class FlightLog {
   const int64_t _zeroUs;
   uint64_t _fromUs = UINT64_MAX;
   uint64_t _toUs = 0;
-  uint64_t _byteUs = 0;  // the newest character
+  uint64_t _byteUs = 0;    // the newest character
+  uint64_t _silentUs = 0;  // the longest time without one since the newest frame
   FlightCounts _counts{};
   DetectedVariant _variant;
   FlagSpans _flags;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sbus2/Sensors.h"
-
 namespace line {
 
 struct Quantity {

@@ -1,6 +1,6 @@
 #include "PolledByTimer.h"
 
-#if defined(SBUS_TICKER) && defined(SBUS_AVR)
+#if defined(SBUS_POLLING_TIMER) && defined(SBUS_AVR)
 
 namespace sbus {
 
@@ -23,7 +23,7 @@ void PolledByTimer::stopTimer() { TIMSK0 &= static_cast<uint8_t>(~_BV(OCIE0B)); 
 ISR(TIMER0_COMPB_vect) {
   TIMSK0 &= static_cast<uint8_t>(~_BV(OCIE0B));
   sei();
-  sbus::PolledByTimer::tickAll();
+  sbus::PolledByTimer::pollDecoders();
   cli();
   TIMSK0 |= _BV(OCIE0B);
 }

@@ -22,8 +22,8 @@ constexpr uint8_t Clock = _BV(CS22);
 #endif
 
 constexpr uint32_t Divider = 64;  // of the clock: a tick is 4 us at 16 MHz, 5.3 us at 12 MHz
-constexpr uint8_t Soonest = 3;    // ticks
-constexpr uint8_t Latest = 150;
+constexpr uint8_t DelayMin = 3;   // ticks
+constexpr uint8_t DelayMax = 150;
 constexpr uint8_t LatenessMax = 64;  // ticks: micros() stops from 256 on
 
 TimedSensor<HardwareSerial> timed;
@@ -46,11 +46,11 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
   }
   modeA = SBUS_TIMER(TCCR, A);
   modeB = SBUS_TIMER(TCCR, B);
-  timed.take(port, due, context);
+  timed.claim(port, due, context);
   SBUS_TIMER(TCCR, A) = 0;
   SBUS_TIMER(TCCR, B) = Clock;
 #if defined(ICR4)
-  OCR4B = TCNT4 + Soonest;  // 16 bits would take 0.3 s to come round
+  OCR4B = TCNT4 + DelayMin;  // 16 bits would take 0.3 s to come round
 #endif
   SBUS_TIMER(TIMSK, ) |= _BV(SBUS_TIMER(OCIE, B));
   return true;
@@ -68,7 +68,7 @@ void SlotTimer::stop(void *context) {
 // Called by due() only, in the interrupt.
 void SlotTimer::callIn(uint32_t us) {
   const uint32_t wanted = us * (F_CPU / 1000000) / Divider;
-  ticks = static_cast<uint8_t>(wanted < Soonest ? Soonest : wanted > Latest ? Latest : wanted);
+  ticks = static_cast<uint8_t>(wanted < DelayMin ? DelayMin : wanted > DelayMax ? DelayMax : wanted);
 }
 
 // The port's own interrupt would write the third character while loop() may have disabled interrupts. This waits 120 us

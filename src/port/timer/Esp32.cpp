@@ -56,7 +56,7 @@ void tick(void *) {
     return;
   }
   if (xSemaphoreTake(TaskLock::mutex, 0) == pdTRUE) {
-    PolledByTimer::tickAll();
+    PolledByTimer::pollDecoders();
     xSemaphoreGive(TaskLock::mutex);
   } else {
     wasDue = true;
@@ -69,7 +69,7 @@ void tick(void *) {
 PolledByTimer::Lock::~Lock() {
   if (wasDue) {
     wasDue = false;
-    tickAll();
+    pollDecoders();
   }
 }
 
@@ -91,7 +91,7 @@ void PolledByTimer::stopTimer() { isRunning = false; }
 
 namespace {
 
-constexpr uint32_t Soonest = 20;    // us: others have the task meanwhile
+constexpr uint32_t DelayMin = 20;   // us: others have the task meanwhile
 constexpr uint8_t HalfAFrame = 13;  // characters
 
 TimedSensor<HardwareSerial> timed;
@@ -130,8 +130,8 @@ bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) 
   const TaskLock lock;
   Esp32::limitBursts(port, HalfAFrame, Rank<1>());
   number = Number::of(port);
-  timed.take(port, due, context);
-  slots.callIn(Soonest);
+  timed.claim(port, due, context);
+  slots.callIn(DelayMin);
   return true;
 }
 
@@ -144,7 +144,7 @@ void SlotTimer::stop(void *context) {
 }
 
 // Called by due() only, in the task.
-void SlotTimer::callIn(uint32_t us) { next = us < Soonest ? Soonest : us; }
+void SlotTimer::callIn(uint32_t us) { next = us < DelayMin ? DelayMin : us; }
 
 void SlotTimer::polled(unsigned found, uint32_t by) {
   const uint32_t from = clock();

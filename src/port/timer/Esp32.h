@@ -15,14 +15,14 @@ namespace sbus {
 // SBus2Sensor's up to 1.5 ms while a frame's end is expected.
 class TaskLock {
  public:
-  TaskLock() : _taken(mutex) {
-    if (_taken != nullptr) {
-      xSemaphoreTake(_taken, portMAX_DELAY);
+  TaskLock() : _held(mutex) {
+    if (_held != nullptr) {
+      xSemaphoreTake(_held, portMAX_DELAY);
     }
   }
   ~TaskLock() {
-    if (_taken != nullptr) {
-      xSemaphoreGive(_taken);
+    if (_held != nullptr) {
+      xSemaphoreGive(_held);
     }
   }
   TaskLock(const TaskLock &) = delete;
@@ -31,7 +31,7 @@ class TaskLock {
   static SemaphoreHandle_t mutex;  // null: no timer has started yet
 
  private:
-  const SemaphoreHandle_t _taken;
+  const SemaphoreHandle_t _held;
 };
 
 // ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer. Its task polls the port and watches the UART's FIFO,

@@ -1,6 +1,6 @@
 #include "PolledByTimer.h"
 
-#if defined(SBUS_TICKER)
+#if defined(SBUS_POLLING_TIMER)
 
 namespace sbus {
 
@@ -25,7 +25,7 @@ struct Change {
 
 PolledByTimer *PolledByTimer::first = nullptr;
 
-bool PolledByTimer::tickAll() {
+bool PolledByTimer::pollDecoders() {
   bool isDone = true;
   for (PolledByTimer *decoder = first; decoder != nullptr; decoder = decoder->_next) {
     if (decoder->_isLocked) {

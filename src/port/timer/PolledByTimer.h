@@ -7,13 +7,11 @@
 
 #include "../../sbus/Barrier.h"
 #include "../Port.h"
-#if defined(SBUS_ESP32)
 #include "SlotTimer.h"
-#endif
 
 #if (defined(SBUS_AVR) && defined(TIMER0_COMPB_vect) && defined(TIMSK0)) || defined(SBUS_RP2040) || \
     defined(SBUS_ESP32) || defined(SBUS_TEENSY) || defined(SBUS_SAMD)
-#define SBUS_TICKER
+#define SBUS_POLLING_TIMER
 
 namespace sbus {
 
@@ -27,7 +25,7 @@ class PolledByTimer {
   PolledByTimer &operator=(const PolledByTimer &) = delete;
 
   // Polls all of them; the core's timer calls it. Returns false if it is to be called again soon.
-  static bool tickAll();
+  static bool pollDecoders();
 
   // Keeps the others from polling, while it exists. A poll that was due meanwhile is made at the end: otherwise a
   // sketch that calls methods all the time would leave the port full.
@@ -91,22 +89,18 @@ class PolledByTimer {
 #endif
   static constexpr bool canPoll(const void *) { return false; }
 
-  // Returns false if the port could not be read: tickAll() is to be called again soon.
+  // Returns false if the port could not be read: pollDecoders() is to be called again soon.
   template <typename Decoder>
   static bool poll(PolledByTimer &self) {
     Decoder &decoder = static_cast<Decoder &>(self);
-#if defined(SBUS_RP2040)
-    // If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): the line
-    // would seem to be silent.
-    if (decoder._port.available() == 0 && decoder._port.room() == 0) {
+    if (SlotTimer::isInPort(decoder._port.stream())) {
       return false;
     }
-#endif
     decoder.pollAll(false);
     return true;
   }
 
-  // The core's timer, which calls tickAll(): in the core's file. Returns false if none is free.
+  // The core's timer, which calls pollDecoders(): in the core's file. Returns false if none is free.
   static bool startTimer();
   static void stopTimer();
 

@@ -48,10 +48,10 @@ class Alarm {
 
   // Sets `next` to a short time that changes from call to call: otherwise the interrupt could stay in step with a
   // loop() that is in a method of the port each time.
-  void callSoon() { next = next >= Soonest && next < 2 * Soonest ? next + 1 : Soonest; }
+  void callSoon() { next = next >= DelayMin && next < 2 * DelayMin ? next + 1 : DelayMin; }
 
-  static constexpr uint32_t Soonest = 10;  // us: loop() goes on meanwhile
-  uint32_t next;                           // us, until the next call
+  static constexpr uint32_t DelayMin = 10;  // us: loop() goes on meanwhile
+  uint32_t next;                            // us, until the next call
 
  private:
   unsigned _number;
@@ -70,7 +70,7 @@ unsigned core;
 Alarm ticks;
 
 void tick(unsigned) {
-  if (PolledByTimer::tickAll()) {
+  if (PolledByTimer::pollDecoders()) {
     ticks.next = Period;
   } else {
     ticks.callSoon();
@@ -103,13 +103,11 @@ namespace {
 TimedSensor<SerialUART> timed;
 Alarm slots;
 
-// If the sketch was interrupted within a method of the port, all of them return 0 here (CoreMutex.cpp:47): a poll would
-// find nothing, and seem to know that the frame has not ended. So it comes again.
 void slot(unsigned) {
-  if (timed.port->availableForWrite() > 0) {
-    timed.call();
-  } else {
+  if (SlotTimer::isInPort(*timed.port)) {
     slots.callSoon();
+  } else {
+    timed.call();
   }
   slots.arm();
 }
@@ -122,8 +120,8 @@ bool SlotTimer::start(SerialUART &port, void (*due)(void *), void *context) {
   if (timed.port != nullptr) {
     return timed.isOf(context);
   }
-  timed.take(port, due, context);
-  if (!slots.claim(slot, Alarm::Soonest)) {
+  timed.claim(port, due, context);
+  if (!slots.claim(slot, Alarm::DelayMin)) {
     timed.port = nullptr;
   }
   return timed.port != nullptr;
@@ -138,7 +136,7 @@ void SlotTimer::stop(void *context) {
 
 // Called by due() only, in the interrupt.
 void SlotTimer::callIn(uint32_t us) {
-  if (us < Alarm::Soonest) {
+  if (us < Alarm::DelayMin) {
     slots.callSoon();
   } else {
     slots.next = us;

@@ -36,6 +36,9 @@ class SlotTimer : public NoSlotTimer {
   static bool start(SerialUART &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void callIn(uint32_t us);
+  // To what has interrupted one of the port's methods all of them return 0 (CoreMutex.cpp:47): the line would seem to
+  // be silent, and the frame not to have ended.
+  static bool isInPort(Stream &port) { return port.available() == 0 && port.availableForWrite() == 0; }
   // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).
   static void wait(uint32_t us) { busy_wait_us_32(us); }
   static bool send(const uint8_t *characters, size_t size);

@@ -34,7 +34,7 @@ int sysTickHook() {
 }
 
 // Weak in the core, as sysTickHook() is. (Its pendSVHook() is never called.)
-void PendSV_Handler() { sbus::PolledByTimer::tickAll(); }
+void PendSV_Handler() { sbus::PolledByTimer::pollDecoders(); }
 }
 
 #endif

@@ -56,6 +56,8 @@ class NoSlotTimer {
   static int waiting(Port &port) { return port.available(); }
   // Returns true if no character has come since there were `waiting`, and none comes in, if the port can tell.
   static bool isLineIdle(Port &port, int waiting) { return port.available() == waiting; }
+  // Returns true if this has interrupted a method or the interrupt of `port`, which cannot be read here then.
+  static bool isInPort(Stream &) { return false; }
   // Returns true if due() came so late that micros() may have stood still meanwhile.
   static bool isLate() { return false; }
   // The time between two polls from loop(), where it can be told whether micros() may have stood still.
@@ -98,8 +100,8 @@ struct TimedSensor {
   void *sensor;
   Port *port;  // null: the timer is free
 
-  // Takes the timer, which is free.
-  void take(Port &sensorsPort, void (*callback)(void *), void *context) {
+  // Gives a sensor the timer, which is free.
+  void claim(Port &sensorsPort, void (*callback)(void *), void *context) {
     sensor = context;
     due = callback;
     port = &sensorsPort;
@@ -119,7 +121,7 @@ struct TimedSensor {
 #include "Rp2040.h"
 #elif defined(SBUS_ESP32)
 #include "Esp32.h"
-#elif defined(SBUS_TEENSY4)
+#elif defined(SBUS_IMXRT)
 #include "Teensy.h"
 #else
 namespace sbus {

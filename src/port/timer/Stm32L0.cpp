@@ -10,8 +10,8 @@ namespace sbus {
 
 namespace {
 
-constexpr unsigned Priority = 1;       // as the UARTs' interrupts: neither interrupts the other
-constexpr uint32_t PeriodMax = 60000;  // the timer has 16 bits
+constexpr unsigned Priority = 1;      // as the UARTs' interrupts: neither interrupts the other
+constexpr uint32_t DelayMax = 60000;  // the timer has 16 bits
 
 TimedSensor<Uart> timed;
 stm32l0_timer_t timer;
@@ -31,7 +31,7 @@ bool SlotTimer::start(Uart &port, void (*due)(void *), void *context) {
     stm32l0_timer_destroy(&timer);
     return false;
   }
-  timed.take(port, due, context);
+  timed.claim(port, due, context);
   return true;
 }
 
@@ -44,7 +44,7 @@ void SlotTimer::stop(void *context) {
   }
 }
 
-void SlotTimer::callIn(uint32_t us) { stm32l0_timer_start(&timer, us < 1 ? 1 : us > PeriodMax ? PeriodMax : us, true); }
+void SlotTimer::callIn(uint32_t us) { stm32l0_timer_start(&timer, us < 1 ? 1 : us > DelayMax ? DelayMax : us, true); }
 
 bool SlotTimer::cameAtOnce() { return DmaSender::cameAtOnce(timed.port); }
 

@@ -53,7 +53,9 @@ TEST_CASE(
     CHECK(longest <= 1501);
     const double share = 100 * (1 - spins[0] / spins[1]);
     MESSAGE(std::string(model.name), ": ", avr::numbersIn(board.printed()[board.printed().size() - 2].text)[0],
-            " frames; polls take ", share, " % of the time; pulses of ", shortest, " to ", longest, " us");
+            " frames; pulses of ", shortest, " to ", longest, " us");
+    avr::figure("`DecodeSBusBackground` (" + std::string(model.name) + "): part of the board's time",
+                avr::rounded(share, 0) + " %");
     CHECK(share > 1);
     CHECK(share < 6.2);
   }

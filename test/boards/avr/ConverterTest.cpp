@@ -173,8 +173,8 @@ TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms;
     CHECK(off.pulse <= Instruction);
     CHECK(off.channel <= Instruction);
     CHECK(off.period <= Instruction);
-    MESSAGE("PPM of a ", std::string(run.model.name), ", ", run.name, ": ", frames, " frames; off at most: pulses ",
-            off.pulse, " us, channels ", off.channel, " us, period ", off.period, " us");
+    figure("PpmOut (" + std::string(run.model.name) + "), line " + run.name + ": most that an edge is off",
+           rounded(std::max({off.pulse, off.channel, off.period}), 2) + " us");
     CHECK(board.mistakes() == "");
   }
 }
@@ -203,9 +203,9 @@ TEST_CASE("PwmIn: each pulse of an old receiver is sent as S.Bus, as exactly as 
     CHECK(std::max(-at(0), at(1)) <= (atOnce ? 60 : 20));
     CHECK(std::max(-at(0.01), at(0.99)) <= (atOnce ? 40 : 12));
     CHECK(std::abs(sum / static_cast<double>(offs.size())) <= 2);
-    MESSAGE("PWM into a Mega, ", std::string(atOnce ? "all channels at once" : "one channel after the other"), ": ",
-            frames.size(), " frames; off by ", at(0), " to ", at(1), " us, 98 of 100 by ", at(0.01), " to ", at(0.99),
-            " us, by ", sum / static_cast<double>(offs.size()), " us on average");
+    figure(std::string("PwmIn (mega), ") + (atOnce ? "all channels at once" : "one channel after the other") +
+               ": most that 98 % of the pulses are off; all",
+           rounded(std::max(-at(0.01), at(0.99)), 0) + " us; " + rounded(std::max(-at(0), at(1)), 0) + " us");
   }
 }
 

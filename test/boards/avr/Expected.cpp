@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <sstream>
+
+#include <doctest/doctest.h>
 
 #include "line/Source.h"
 #include "sbus/Scaling.h"
@@ -132,6 +135,14 @@ Numbers numbersOf(const Frame &frame) {
     numbers.push_back(byte);
   }
   return numbers;
+}
+
+void figure(const std::string &what, const std::string &value) { MESSAGE("| ", what, " | ", value, " |"); }
+
+std::string rounded(double value, int places) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(places) << value;
+  return text.str();
 }
 
 Numbers numbersIn(const std::string &row) {

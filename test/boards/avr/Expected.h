@@ -50,6 +50,12 @@ Numbers numbersOf(const Frame &frame);
 // Reads "172,992", without its end; empty for any other text.
 Numbers numbersIn(const std::string &row);
 
+// Prints a row of a table of extras/docs/measured.md: figures.sh compares it.
+void figure(const std::string &what, const std::string &value);
+
+// Returns "0.1" or the like.
+std::string rounded(double value, int places);
+
 // What the line of a run requires.
 class Expected {
  public:

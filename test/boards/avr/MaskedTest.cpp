@@ -2,6 +2,7 @@
 // characters stay together, and nothing is sent at a wrong time.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <memory>
 #include <random>
 #include <string>
@@ -55,6 +56,12 @@ TEST_CASE("interrupts disabled at random, and frames that come early: answers ar
     MESSAGE(run.longestUs, " us masked, ", run.apartUs, " us apart, ",
             std::string(run.isUnsteady ? "unsteady: " : "steady: "), bus.judge().text(), "; at most ",
             bus.judge().mostOffUs(), "; ", board.printed().back().text);
+    const avr::Numbers last = avr::numbersIn(board.printed().back().text);  // frames, sent, skipped, collisions
+    if (!run.isUnsteady) {
+      avr::figure("`SBus2Sensor` (mega), interrupts off for up to " + std::to_string(run.longestUs) +
+                      " us, on average each " + avr::rounded(run.apartUs / 2000.0, 1) + " ms: answers sent",
+                  "some " + avr::rounded(std::round(10 * last[1] / (last[1] + last[2])) * 10, 0) + " %");
+    }
     const line::BusJudge::Counts &counts = bus.judge().counts();
     CHECK(counts.wrong() - counts.late - counts.unseen == 0);
     CHECK(bus.judge().mostOffUs() <= 100);

@@ -88,7 +88,7 @@ struct Scene {
   void silence(unsigned ms) {
     for (unsigned i = 0; i < ms; i++) {
       world.nowUs += 1 * Ms;
-      sbus::PolledByTimer::tickAll();
+      sbus::PolledByTimer::pollDecoders();
     }
   }
   // `waits`: no poll takes the second half of these.
@@ -97,17 +97,17 @@ struct Scene {
     next++;
     world.nowUs += 8 * 120;
     port.arrive(frame.data(), 8);
-    sbus::PolledByTimer::tickAll();
+    sbus::PolledByTimer::pollDecoders();
     world.nowUs += 8 * 120;
     port.arrive(frame.data() + 8, 8);
     if (!waits) {
-      sbus::PolledByTimer::tickAll();
+      sbus::PolledByTimer::pollDecoders();
     }
   }
   void last() {
     world.nowUs += 9 * 120;
     port.arrive(frame.data() + 16, 9);
-    sbus::PolledByTimer::tickAll();
+    sbus::PolledByTimer::pollDecoders();
   }
   // Requires that all frames so far have come, and that the newest is right.
   void check() {

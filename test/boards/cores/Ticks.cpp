@@ -16,7 +16,7 @@ using sim::world;
 
 #include <IntervalTimer.h>
 
-uint32_t SCB_ICSR;
+uint32_t SCB_ICSR = 1 << 11;  // no other interrupt is active
 
 namespace {
 

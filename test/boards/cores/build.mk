@@ -85,7 +85,7 @@ uno_page := Pro Mini
 xiao-esp32_page := XIAO ESP32
 
 # One of each timer that polls each millisecond; boards/avr runs an AVR's.
-TICKERS := pico esp32-3.0 samd teensy4
+TIMERS := pico esp32-3.0 samd teensy4
 chip = $(or $(filter Rp2040,$(1:pico=Rp2040)),$(filter Esp32,$(1:esp32-3.0=Esp32)),$(filter Samd,$(1:samd=Samd)),Teensy)
 ticks = $(or $(filter PicoAlarms,$(1:pico=PicoAlarms)),$(filter Esp32Task,$(1:esp32-3.0=Esp32Task)),Ticks)
 # One of each USB joystick, and what its core defines where the board or the user's choice has it.
@@ -102,7 +102,7 @@ examples = $(if $(filter $(WHOLE),$1),$(EXAMPLES),$(if $(call reason,$1,DecodeSB
   $(if $(filter leonardo,$1),PwmIn)))
 compiled = $(foreach name,$(call examples,$1),$(name).$(if $(call reason,$1,$(name)),rejected,ok))
 ALL := $(CORES:%=$(OUT)/%/CoresTest) $(addprefix $(OUT)/,pico/SensorTest esp32-3.0/SensorTest teensy4/PolledSensorTest \
-  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/Stm32L0.ok $(TICKERS:%=%/BackgroundTest) \
+  stm32l0/DmaSenderTest stm32l0-0.0/DmaSenderTest stm32l0/ReceiveOnlyTest stm32l0/Stm32L0.ok $(TIMERS:%=%/BackgroundTest) \
   teensy4/PreemptBackgroundTest esp32-3.0/TasksTest pico/PpmOutTest samd/PpmOutTest $(JOYSTICKS:%=%/JoystickTest) \
   stm32/SingleWire.rejected teensy4/SingleWire.rejected uno/NoServo.rejected \
   stm32/NoBackground.rejected pico/NoBackground.rejected teensy4/NoBackground.rejected) \
@@ -153,7 +153,7 @@ $(OUT)/$1/ReceiveOnlyTest: $(OUT)/$1/ReceiveOnlyTest.o $(OUT)/Uart.o $(OUT)/Main
 $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/Uart.o \
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o \
+$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/PolledByTimerTest.o $(OUT)/$1/$(call ticks,$1).o \
   $(addprefix $(OUT)/$1/port/timer/,PolledByTimer.o $(call chip,$1).o) $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o \
@@ -211,7 +211,7 @@ $(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk
 	grep 'error:' $$@ | grep -q 'This port has no single wire'
 $(OUT)/$1/NoBackground.rejected: $(HERE)/NoBackground.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
-	sed -n 's,^// \($(if $(filter $(TICKERS),$1),[1-9],0)\) ,\1 ,p' $$< | while read -r case text; do \
+	sed -n 's,^// \($(if $(filter $(TIMERS),$1),[1-9],0)\) ,\1 ,p' $$< | while read -r case text; do \
 	  ! $(CXX) $$($1_board) -DCASE=$$$$case -include Arduino.h -fsyntax-only $$< 2>$$@.said && \
 	  grep 'error:' $$@.said | grep "$$$$text" || exit; done >$$@
 endef

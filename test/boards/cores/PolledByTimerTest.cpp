@@ -11,8 +11,8 @@ namespace {
 struct Counted : sbus::PolledByTimer {
   unsigned polls = 0;
   void start() {
-    startPolling([](sbus::PolledByTimer &ticked) {
-      static_cast<Counted &>(ticked).polls++;
+    startPolling([](sbus::PolledByTimer &decoder) {
+      static_cast<Counted &>(decoder).polls++;
       return true;
     });
   }
