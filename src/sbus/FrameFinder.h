@@ -490,7 +490,8 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     if (variant == NoVariant) {
       countUp(_counters.rejectedByEnd);
       Events::rejected(start, Rejection::NoEnd);
-    } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
+    } else if (!rules::areFlags(_buffer[start + FlagsAt]) ||
+               rules::mayBeEnd<Format>(_buffer.bytes() + start, variant, _variant, _sizeCheck)) {
       countUp(_counters.rejectedByFlags);
       Events::rejected(start, Rejection::Flags);
       return NoVariant;

@@ -193,6 +193,16 @@ SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
   return Format::HasSlots && hasBreaks && variant != SlotsVariant;
 }
 
+/// Returns true if, before the first frame, these flags may be the end byte 04 of an S.BUS2 frame that has lost a
+/// character, and the end byte after them, of `variant`, a break. If a frame's number of characters has come twice in a
+/// row, they are flags.
+template <typename Format>
+SBUS_IN_LINE bool mayBeEnd(const uint8_t *frame, uint8_t variant, uint8_t lineVariant,
+                           const FrameSizeCheck<Format> &sizeCheck) {
+  return Format::HasSlots && lineVariant == NoVariant && sizeCheck.betweenGaps() != Format::Size &&
+         frame[Format::Size - 2] == LineVariants[SlotsVariant].end && variant != SlotsVariant;
+}
+
 // ---- For unseen gaps, as when a port is polled too seldom: where each gap is seen, these rules and isInTurn() change
 // nothing, except that breaks would not be noticed.
 

@@ -155,6 +155,10 @@ void ImpairedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &
     if (_timeUs >= _burstEndUs && _random.chance(impairments.burst)) {
       _burstEndUs = _timeUs + (2 + _random.below(11)) * _characterUs;
     }
+    if (_timeUs >= _elevenEndUs && _random.chance(impairments.eleven)) {
+      _elevenEndUs = _timeUs + 11 * _characterUs;
+    }
+    bad = bad || _timeUs < _elevenEndUs;
     if (_timeUs < _burstEndUs) {
       bad = !_random.chance(Junk);
       value = _random.byte();

@@ -25,6 +25,7 @@ enum class Kind {
 struct Impairments {
   double dropped = 0;   // of a character: its parity is wrong, so the UART drops it
   double burst = 0;     // of a character: with it a burst of 2 to 12 begins, which are dropped; one in eight is junk
+  double eleven = 0;    // of a character: with it eleven are dropped, and 25 of 36 are left
   double inserted = 0;  // of a character: another, random one comes straight before it
   double flipped = 0;   // of a character: two of its bits are wrong, and parity misses it
   double noise = 0;     // of a gap: it holds one character, anything, anywhere
@@ -159,7 +160,7 @@ class ImpairedLine : public line::Line {
   uint64_t _timeUs;      // when all that was sent so far is complete
   uint64_t _good = 0;    // good characters sent so far
   uint64_t _noiseCharacters = 0;
-  uint64_t _burstEndUs = 0;
+  uint64_t _burstEndUs = 0, _elevenEndUs = 0;
   uint64_t _cutUs = 0;                                  // when the first character that was cut off would have begun
   bool _straight = false;                               // of the next frame
   std::array<uint32_t, sbus::FrameSize24> _silentUs{};  // before each character of a frame

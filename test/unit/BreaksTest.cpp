@@ -68,3 +68,25 @@ TEST_CASE("a receiver of another make that takes the line is believed with its s
     }
   }
 }
+
+TEST_CASE("a line may begin with such a frame; flags that are 04 indeed are believed with the second frame") {
+  const auto send = [](Feeder &line, const Bytes &bytes) {
+    const Frames frames = line.feed(bytes);
+    return frames + line.wait(9000).waited;
+  };
+  for (size_t lost = 0; lost < 24; lost++) {
+    CAPTURE(lost);
+    Feeder line;
+    line.settle();
+    CHECK(send(line, without(plainFrame(0, endOf(0)), lost) + Break).empty());
+    CHECK(send(line, bytesOf(plainFrame(1, endOf(1))) + Break) == Frames{plainFrame(1, endOf(1))});
+  }
+  for (unsigned flags = 0; flags < 16; flags++) {
+    CAPTURE(flags);
+    Feeder line;
+    line.settle();
+    const Frame frame = withByte(plainFrame(0), 23, flags);
+    CHECK(send(line, bytesOf(frame)) == (flags == 0x04 ? Frames{} : Frames{frame}));
+    CHECK(send(line, bytesOf(frame)) == Frames{frame});
+  }
+}

@@ -286,3 +286,28 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("frames of 24 channels that lack eleven characters are no stretched frames, while others are whole") {
+  // Their header, flags and end stay; the silence is too short to end a frame.
+  const Bytes first = part(neutralFrame(1), 0, 12), last = part(neutralFrame(1), 12);
+  const Bytes inside(11, 0x55);
+  for (const unsigned lacking : {1u, 2u, 3u}) {  // in a row
+    CAPTURE(lacking);
+    Line line;
+    line.finder.reset(line.now, Line::CharacterUs, 0);
+    Frames found;
+    const auto send = [&](uint32_t silentUs, const Bytes &bytes) {
+      found = found + line.wait(silentUs).waited;
+      found = found + line.feed(bytes);
+    };
+    line.settle();
+    for (unsigned times = 0; times < 10; times++) {
+      send(WideUs, first + inside + last);
+      for (unsigned i = 0; i < lacking; i++) {
+        send(WideUs, first);
+        send(11 * Line::CharacterUs, last);
+      }
+    }
+    CHECK(found.empty());
+  }
+}
