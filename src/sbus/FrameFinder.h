@@ -491,7 +491,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
       countUp(_counters.rejectedByEnd);
       Events::rejected(start, Rejection::NoEnd);
     } else if (!rules::areFlags(_buffer[start + FlagsAt]) ||
-               rules::mayBeEnd<Format>(_buffer.bytes() + start, variant, _variant, _sizeCheck)) {
+               rules::mayBeEnd<Format>(_buffer.bytes() + start, variant, _variant, _sizeCheck.betweenGaps())) {
       countUp(_counters.rejectedByFlags);
       Events::rejected(start, Rejection::Flags);
       return NoVariant;

@@ -197,9 +197,8 @@ SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
 /// character, and the end byte after them, of `variant`, a break. If a frame's number of characters has come twice in a
 /// row, they are flags.
 template <typename Format>
-SBUS_IN_LINE bool mayBeEnd(const uint8_t *frame, uint8_t variant, uint8_t lineVariant,
-                           const FrameSizeCheck<Format> &sizeCheck) {
-  return Format::HasSlots && lineVariant == NoVariant && sizeCheck.betweenGaps() != Format::Size &&
+SBUS_IN_LINE bool mayBeEnd(const uint8_t *frame, uint8_t variant, uint8_t lineVariant, int betweenGaps) {
+  return Format::HasSlots && lineVariant == NoVariant && betweenGaps != Format::Size &&
          frame[Format::Size - 2] == LineVariants[SlotsVariant].end && variant != SlotsVariant;
 }
 

@@ -151,9 +151,9 @@ TEST_CASE("an encoder sends the frame that was read, byte for byte") {
   for (unsigned flags = 0; flags < 16; flags++) {
     CAPTURE(flags);
     const Frame bytes = withByte(PaperHigh.bytes, 23, flags);
-    OpenBoard board;
+    SyncedBoard board;
     SBusFrame frame;
-    board.firstFrame(bytes);
+    board.nextFrame(bytes);
     REQUIRE(board.sbus.read(frame));
     fakeMicros += 9000;
     port.written.clear();

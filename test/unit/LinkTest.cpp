@@ -88,16 +88,16 @@ TEST_CASE("the frames that come make the link never seen, ok, lossy, failsafe or
       {"nothing", {}, LinkState::NeverSeen},
       {"a frame", {0}, LinkState::Ok},
       {"a frame with CH17 and CH18", {3}, LinkState::Ok},
-      {"a lost frame", {Lost}, LinkState::Lossy},
+      {"a lost frame before any other: its flags may be an end byte", {Lost}, LinkState::NeverSeen},
       {"a lost frame after a good one", {0, Lost}, LinkState::Lossy},
-      {"a good frame after a lost one", {Lost, 0}, LinkState::Ok},
-      {"two lost frames", {Lost, Lost}, LinkState::Failsafe},
-      {"a good one between two lost frames", {Lost, 0, Lost}, LinkState::Lossy},
+      {"a good frame after a lost one", {0, Lost, 0}, LinkState::Ok},
+      {"two lost frames", {0, Lost, Lost}, LinkState::Failsafe},
+      {"a good one between two lost frames", {0, Lost, 0, Lost}, LinkState::Lossy},
       {"failsafe", {Failsafe}, LinkState::Failsafe},
       {"failsafe and lost", {Lost | Failsafe}, LinkState::Failsafe},
       {"a good frame after failsafe", {Lost | Failsafe, 0}, LinkState::Ok},
       {"a lost frame after failsafe", {Failsafe, Lost}, LinkState::Lossy},
-      {"failsafe, but not lost, between two lost frames", {Lost, Failsafe, Lost}, LinkState::Lossy},
+      {"failsafe, but not lost, between two lost frames", {0, Lost, Failsafe, Lost}, LinkState::Lossy},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -233,7 +233,8 @@ TEST_CASE("end() keeps the last frame until it is stale; begin() forgets frames,
     checkState(board, LinkState::NeverSeen);
     CHECK(board.sbus.frameAge() == ULONG_MAX);
     CHECK(board.sbus.counters().frames + board.sbus.counters().lostFrames == 0);
-    board.firstFrame(withFlags(Lost));
+    board.firstFrame(withFlags(0));
+    board.nextFrame(withFlags(Lost));
     board.sbus.end();
     checkState(board, LinkState::Lossy);  // the first since begin
     board.wait(100 * Ms);
