@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "line/LineSettings.h"
+
 namespace line {
 
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: later times are a mistake
