@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sbus2/Sensors.h"
+
 namespace line {
 
 struct Quantity {
