@@ -4,7 +4,9 @@
 registry has to OUT/component. (Their form is checked by those who read them, when a release is published.)
     manifests.py OUT    from the repository's root
 """
+import fnmatch
 import json
+import os
 import pathlib
 import re
 import sys
@@ -21,12 +23,12 @@ def verdict(what, found):
 
 def component_files(root, files):
     """Filters as file_tools.py's filtered_paths() does: all, without those to exclude, and then those to include."""
-    paths = set(root.glob("**/*"))
-    for pattern in files.get("exclude", []):
-        paths -= set(root.glob(pattern))
-    for pattern in files.get("include", []):
-        paths |= set(root.glob(pattern))
-    return {str(path.relative_to(root)) for path in paths if path.is_file()}
+    # os.walk() and not glob(): what other tests build may vanish meanwhile.
+    paths = [os.path.relpath(os.path.join(folder, name), root) for folder, _, names in os.walk(root) for name in names]
+
+    def named(patterns):
+        return {path for path in paths if any(fnmatch.fnmatch(path, pattern) for pattern in patterns)}
+    return set(paths) - named(files.get("exclude", [])) | named(files.get("include", []))
 
 
 def main(out):
