@@ -1,6 +1,7 @@
 // Opens a file of any kind: line::FileHead decides what it is.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 

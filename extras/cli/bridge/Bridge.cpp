@@ -1,5 +1,6 @@
 #include "cli/bridge/Bridge.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <optional>

@@ -1,6 +1,7 @@
 // --range on the command line: which raw values are -100, 0 and +100 %.
 #pragma once
 
+#include <cstdio>
 #include <string>
 
 #include "cli/options/Subcommand.h"

@@ -1,6 +1,7 @@
 // sbus watch: a flight recorder; it keeps the seconds before and after each event.
 
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <stdexcept>
 

@@ -1,5 +1,10 @@
 #include "cli/watch/FlightRecorder.h"
 
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
 #include "line/system/System.h"
 
 namespace tool {

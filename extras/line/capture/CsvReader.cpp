@@ -1,5 +1,6 @@
 #include "line/capture/CsvReader.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "line/capture/Parsing.h"

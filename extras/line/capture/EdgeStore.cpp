@@ -1,5 +1,7 @@
 #include "line/capture/EdgeStore.h"
 
+#include <algorithm>
+
 namespace line {
 
 void EdgeStore::put(int64_t ns, bool high) {

@@ -1,6 +1,7 @@
 #include "line/capture/Parsing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace line {

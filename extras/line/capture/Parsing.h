@@ -1,6 +1,8 @@
 // Parses words and numbers fast, without streams or locale.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "line/recording/Words.h"

@@ -1,5 +1,7 @@
 #include "line/capture/WireDecoder.h"
 
+#include <algorithm>
+
 #include "line/capture/Parsing.h"
 
 namespace line {

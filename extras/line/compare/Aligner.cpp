@@ -1,5 +1,9 @@
 #include "line/compare/Aligner.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "line/Format.h"
 
 namespace line {

@@ -1,5 +1,6 @@
 #include "line/file/BytesReader.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <tuple>
 #include <utility>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "line/LineSettings.h"
 #include "line/file/ByteText.h"

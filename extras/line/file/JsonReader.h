@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "line/file/LineReader.h"
 #include "line/LineSettings.h"

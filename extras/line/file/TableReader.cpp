@@ -1,6 +1,7 @@
 #include "line/file/TableReader.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "line/FrameBytes.h"
 #include "line/capture/Parsing.h"

@@ -1,6 +1,8 @@
 #include "line/recording/Recording.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "line/recording/CsvRows.h"
 #include "line/recording/WallTime.h"

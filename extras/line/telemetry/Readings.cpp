@@ -1,5 +1,7 @@
 #include "line/telemetry/Readings.h"
 
+#include <cstdlib>
+
 namespace line {
 
 std::vector<Quantity> quantitiesIn(const std::vector<TimedSlot> &slots, const SensorsBySlot &sensors) {
