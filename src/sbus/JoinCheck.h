@@ -13,8 +13,8 @@ namespace sbus {
 /// - Its parts are a frame period apart, so it takes longer than a frame. So may a frame that comes slowly because
 ///   loop() polls seldom.
 ///
-/// So frames with these marks are doubted only for a while after a poll that has lost characters.
-/// Polls that come too seldom show nothing: isUnplaced().
+/// So frames with these marks are doubted only for a while after a poll that has lost characters. Polls that come too
+/// seldom show nothing: isUnplaced().
 ///
 /// `IsUsed` is false where the clock runs on: there FrameFinder::checkFound() sees the lost time, and this class is
 /// empty.

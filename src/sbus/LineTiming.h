@@ -126,7 +126,7 @@ class LineTiming {
   /// known, and the newest poll came later than one character and a gap can explain. (Asked first: an AVR's sensor
   /// polls each 100 us while the end of a frame is expected.)
   bool mayHaveFoundTooFew() const {
-    return _shortestInterval == HasEmptyPolls && capped(_lastPoll - _pollBefore) > unsigned{_characterTime} * (Gap + 2);
+    return _shortestInterval == HasEmptyPolls && interval() > unsigned{_characterTime} * (Gap + 2);
   }
 
   /// False on an AVR, recognised by its 16-bit ints: while interrupts are off, its micros() counts 2 ms at most.
@@ -140,7 +140,7 @@ class LineTiming {
     const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? BurstMax : 0);
     const unsigned most = isStretched ? handedOver * StretchedMax + _idleCharacters + Gap : inTime<Format>(handedOver);
     const unsigned enough = most * _characterTime;
-    unsigned late = capped(_lastPoll - _pollBefore);
+    unsigned late = interval();
     if (late <= enough || (!ClockRuns && found >= missing)) {
       return false;
     }
