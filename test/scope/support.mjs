@@ -188,9 +188,15 @@ export async function play(page, file, text) {
   await reads(page, '#title', new RegExp(`^(Recording|Capture) ${path.basename(file)}(, [^(]*)?$`));
 }
 
+// A short one may have ended by then: Play would begin it again.
 export async function playPaused(page, ...file) {
   await play(page, ...file);
-  await page.click('#play');
+  await page.evaluate(() => {
+    const button = document.querySelector('#play');
+    if (button.textContent === 'Pause') {
+      button.click();
+    }
+  });
 }
 
 export async function playToEnd(page, ...file) {
