@@ -60,7 +60,7 @@ TEST_CASE("interrupts disabled at random, and frames that come early: answers ar
     if (!run.isUnsteady) {
       avr::figure("`SBus2Sensor` (mega), interrupts off for up to " + std::to_string(run.longestUs) +
                       " us, on average each " + avr::rounded(run.apartUs / 2000.0, 1) + " ms: answers sent",
-                  "some " + avr::rounded(std::round(10 * last[1] / (last[1] + last[2])) * 10, 0) + " %");
+                  "some " + avr::rounded(std::round(20 * last[1] / (last[1] + last[2])) * 5, 0) + " %");
     }
     const line::BusJudge::Counts &counts = bus.judge().counts();
     CHECK(counts.wrong() - counts.late - counts.unseen == 0);
