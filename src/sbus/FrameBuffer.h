@@ -14,15 +14,20 @@ namespace sbus {
 /// complete frame. Both payloads are aligned to a word, as Format::unpack() needs them.
 template <typename Format>
 class FrameBuffer {
+  static constexpr int Pad = 3;  // bytes before a frame: they align its payload to a word
+
  public:
   static constexpr uint8_t Nowhere = 0xFF;  ///< gapAt() without a gap
+  /// A frame, its tail, and the characters after it that are judged; rounded so that the other payload is aligned as
+  /// well.
+  static constexpr int Capacity = (Pad + Format::Size + TailMax + 10) / 4 * 4 - Pad;
 
   FrameBuffer() { clear(); }
   FrameBuffer(const FrameBuffer &) = delete;             ///< it has pointers into itself
   FrameBuffer &operator=(const FrameBuffer &) = delete;  ///< not copied
 
-  uint8_t *space() { return _incoming + _filled; }  ///< where to write the next bytes
-  int room() const { return Capacity - _filled; }   ///< how many fit there, 1 or more
+  uint8_t *space() { return _incoming + _filled; }                                   ///< where to write the next bytes
+  int_fast8_t room() const { return static_cast<int_fast8_t>(Capacity - _filled); }  ///< how many fit there, 1 or more
   /// Takes `count` bytes that were written to space().
   void received(int count) { _filled = static_cast<uint8_t>(_filled + count); }
 
@@ -107,11 +112,7 @@ class FrameBuffer {
   const uint8_t *newest() const { return _newest; }
 
  private:
-  static constexpr int Pad = 3;    // bytes before a frame: they align its payload to a word
   static constexpr int Spare = 2;  // these and the five members before them double as padding for the first place
-  // A frame, its tail, and the characters after it that are judged; rounded so that the other payload is aligned as
-  // well.
-  static constexpr int Capacity = (Pad + Format::Size + TailMax + 10) / 4 * 4 - Pad;
 
   __attribute__((always_inline)) void forget(int count) {
     _filled = static_cast<uint8_t>(_filled - count);

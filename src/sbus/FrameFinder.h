@@ -114,11 +114,10 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     } else if (silence == Silence::Likely) {
       _buffer.markGap(Silence::Likely);
     }
-    if (ChecksJoins) {
-      noteJoins(found);
-    }
-    if (_timing.mayHaveFoundTooFew()) {
-      checkFound();
+    Join::poll(found, begins(), static_cast<uint16_t>(_timing.pollBefore()));
+    const unsigned interval = _timing.interval();
+    if (_timing.mayHaveFoundTooFew(interval)) {
+      checkFound(interval);
     }
     _sizeCheck.characters(found);
   }
@@ -216,6 +215,8 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   using Join = JoinCheck<Format::Size, ChecksJoins>;
 
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
+  static_assert(!Format::HasSlots || Size + rules::SlotsBehind <= FrameBuffer<Format>::Capacity,
+                "else all wait for ever");
   static constexpr int JudgedWorth = 4;           // a header that judge() rejects costs as much as four without an end
   static constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
   static constexpr uint32_t Unsteady = 2500;      // us: a frame is late by less, parts of two by 4 ms or more
@@ -224,6 +225,9 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
 
   // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
   __attribute__((noinline)) static void countUp(uint32_t &counter) { counter++; }
+
+  // Returns true if no frame is incomplete: the next byte begins one.
+  bool begins() const { return _buffer.filled() == 0 || _buffer.gapAt() == _buffer.filled(); }
 
   // Returns true if the next byte is expected to begin a frame.
   SBUS_IN_LINE bool isDue() const { return _aligned && _expectedAt == 0; }
@@ -298,21 +302,18 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     }
   }
 
-  // Takes a poll of a port whose clock may have stopped.
-  void noteJoins(unsigned found) {
-    const int filled = _buffer.gapAt() == _buffer.filled() ? 0 : _buffer.filled();
-    Join::poll(found, static_cast<unsigned>(filled), _timing.pollBefore(), _timing.interval(), _timing.characterTime(),
-               _sizeCheck.isStretched());
-  }
-
   // While interrupts are off, a UART keeps a few characters and loses the others. If the line goes on at the same place
   // of a later frame, 25 characters of two frames stand there without a gap, and only the time shows that. A frame that
   // broke off may also have lost a character on the line: then there is an apparent gap. Otherwise the port has lost
   // bytes.
-  void checkFound() {
-    const int filled = _buffer.filled();
-    const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
-    if (_timing.template foundTooFew<Format>(_found, missing, _counters.period, _sizeCheck.isStretched())) {
+  void checkFound(unsigned interval) {
+    const int missing = begins() ? 0 : Size - _buffer.filled();
+    const bool isStretched = _sizeCheck.isStretched();
+    if (ChecksJoins) {
+      if (Join::late(interval, _found, static_cast<unsigned>(missing), _timing.characterTime(), isStretched)) {
+        _buffer.markGap(Silence::Likely);
+      }
+    } else if (_timing.template foundTooFew<Format>(interval, _found, missing, _counters.period, isStretched)) {
       if (LineTiming::ClockRuns && static_cast<int>(_found) >= missing) {
         _lossFollows = static_cast<int32_t>(_counters.period) >= PeriodMin;
       } else {
@@ -352,19 +353,25 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
         rules::isExactlyNext<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isDue()) ||
         scan(waiting);
     noteEnd(waiting);
-    if (ChecksJoins && isFrame && mayBeJoined(wasAligned && _expectedAt == 0)) {
-      dropJoined();
+    if (!isFrame) {
       return nullptr;
     }
-    return isFrame ? deliver() : nullptr;
+    const uint8_t *frame = nullptr;
+    if (ChecksJoins && mayBeJoined(wasAligned && _expectedAt == 0)) {
+      dropJoined();
+    } else {
+      frame = deliver();
+    }
+    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
+    return frame;
   }
 
   // Returns true if the frame that is complete may consist of parts of several. (Not inlined: 102 bytes less on an
   // AVR.)
   __attribute__((noinline)) bool mayBeJoined(bool isInSync) {
-    const unsigned usual = Size * _timing.characterTime() * (_sizeCheck.isStretched() ? 2u : 1u);
     return (Join::isUnplaced() && _expectedAt != 0 && _expectedAt != -Size) ||
-           Join::isJoined(_completeBy, static_cast<uint16_t>(usual), isInSync);
+           Join::isJoined(static_cast<uint16_t>(_completeBy), _timing.characterTime(), _sizeCheck.isStretched(),
+                          isInSync);
   }
 
   // Drops the frame that is complete. What follows it directly is in its place if this was a frame.
@@ -374,7 +381,6 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     Events::rejected(0, Rejection::NotAtGap);
     discard(Size);
     _buffer.moveTo(beginning);
-    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
     _aligned = false;
   }
 
@@ -395,8 +401,8 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
       // A sensor's answer: the next frame is expected after it, and after a gap where the answer lacks a character. So
       // it is after a break, if an answer or a gap follows.
-      const int untilGap = isCertain(_buffer.gap()) ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
-      int size = SlotSize;
+      const uint8_t untilGap = isCertain(_buffer.gap()) ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
+      uint8_t size = SlotSize;
       if (rules::isBreak(_buffer[0])) {
         if (_buffer.filled() < 2) {
           return false;
@@ -421,7 +427,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     int start = 0;
     bool found = false;
     for (const int last = _buffer.filled() - Size; start <= last;) {
-      int step = 1, worth = 1;
+      int_fast8_t step = 1, worth = 1;
       const uint8_t variant = variantAt(start);
       if (variant != NoVariant) {
         Verdict verdict = judge(start, variant);
@@ -458,7 +464,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
 
   // Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
   void noteEnd(int waiting) {
-    const int following = _buffer.filled() - Size;
+    const int_fast8_t following = static_cast<int_fast8_t>(_buffer.filled() - Size);
     if (following >= 0 && following + waiting < static_cast<int>(_found)) {
       _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
       _completeBy = _timing.lastPoll();
@@ -476,8 +482,8 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   }
 
   // Returns the index of the first header from `from` on, or filled().
-  int firstHeader(int from) const {
-    const int filled = _buffer.filled();
+  int_fast8_t firstHeader(int_fast8_t from) const {
+    const int_fast8_t filled = static_cast<int_fast8_t>(_buffer.filled());
     while (from < filled && !_buffer.isHeader(from)) {
       from++;
     }
@@ -500,13 +506,14 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   }
 
   // Inlined: a call would make a line of headers cost a fifth more.
-  SBUS_IN_LINE Verdict judge(int start, uint8_t variant) {
-    const int distance = start - _expectedAt;
+  SBUS_IN_LINE Verdict judge(int_fast8_t start, uint8_t variant) {
+    const int_fast8_t distance = static_cast<int_fast8_t>(start - _expectedAt);
     const bool isFirst = start == 0;
     const bool isInSync = distance == 0 && _aligned;
     return rules::judge(
         Candidate<Format>{
-            _buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start, _buffer.gap(),
+            _buffer.bytes() + start, static_cast<int_fast8_t>(_buffer.filled() - start),
+            static_cast<int_fast8_t>(_buffer.gapAt() - start), _buffer.gap(),
             isFirst ? _buffer.inside() : Silence::Unknown,
             isFirst && (isInSync && _counters.period != 0 ? isInTime(_completeBy, Unsteady) : _buffer.beginsWide()),
             variant, _variant, distance, isInSync},
@@ -524,7 +531,6 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
       const bool hasMissed = _expectedAt < -rules::NoiseMax;  // then it is two periods or more
       _counters.measure(static_cast<uint32_t>(static_cast<int32_t>(interval) >> (hasMissed ? 1 : 0)));
     }
-    _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
     _counters.count(Format::flags(frame));
     _frameTime = _completeAfter;
     _lastBy = _completeBy;
@@ -534,7 +540,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   }
 
   // Discards the first characters of the incoming frame.
-  void discard(int count) {
+  void discard(int_fast8_t count) {
     if (_expectedAt > -FarOff) {
       _expectedAt = static_cast<int8_t>(_expectedAt - count);
     }

@@ -23,38 +23,56 @@ class JoinCheck {
  public:
   /// Forgets everything.
   void reset() {
-    _interval = 0;
-    _isCrowded = _isTrusted = false;
+    _isUnplaced = _isCrowded = _isTrusted = false;
     _doubt = _patience = 0;
   }
 
   /// The port tells what it has lost: doubts no frame, until reset().
   void trustPort() { _isTrusted = true; }
 
-  /// Takes a poll that found `found` characters, `interval` us after the poll at `before`, us. The first of them belong
-  /// to a frame of which `filled` have come; 0: they begin one. `characterTime` in us.
-  void poll(unsigned found, unsigned filled, uint32_t before, unsigned interval, uint8_t characterTime,
-            bool isStretched) {
-    if (_isTrusted) {
-      return;
+  /// Takes a poll that found `found` characters, after a poll at `before`, us. `begins`: no frame is incomplete.
+  void poll(unsigned found, bool begins, uint16_t before) {
+    _isUnplaced = false;
+    if (begins) {
+      _after = before;
+      _isCrowded = false;
     }
-    _interval = found < FullPort ? interval : 0;
-    _isCrowded = (filled != 0 && _isCrowded) || found > MostAtOnce;
-    if (filled == 0) {
-      _after = static_cast<uint16_t>(before);
+    if (found > MostAtOnce) {
+      _isCrowded = true;
     }
-    if (hasLost(found, filled, interval, characterTime, isStretched)) {
-      _doubt = DoubtMax;
+  }
+
+  /// Takes the time between the two polls, us, if it was 0.7 ms or more. `missing`: how many characters the incomplete
+  /// frame lacked before; 0: none was incomplete. `characterTime` in us. Returns true if the port has lost some of
+  /// them.
+  bool late(unsigned interval, unsigned found, unsigned missing, uint8_t characterTime, bool isStretched) {
+    unsigned most = found * characterTime;  // even if the sender pauses
+    if (found < Size && (isStretched || interval > CountedMax)) {
+      most *= 2;
     }
+    most += Paused;
+    if (interval <= most) {  // as nearly always
+      return false;
+    }
+    if (!_isTrusted) {
+      _isUnplaced = interval > IntervalMax && found < FullPort;
+      for (unsigned whole = missing; whole <= found + Dropped; whole += Size) {
+        most += SilenceMax;
+      }
+      if (interval > most) {
+        _doubt = DoubtMax;
+      }
+    }
+    return found < missing;
   }
 
   /// Returns true if the poll that brings a frame's end came so late that the frame may lie anywhere in the time before
   /// it: then only a frame directly behind another, or behind a frame's number of characters, is one.
-  bool isUnplaced() const { return _interval > IntervalMax; }
+  bool isUnplaced() const { return _isUnplaced; }
 
-  /// Returns true if the frame that was complete at `time`, us, may be joined. `usual`: how long its sender takes for a
-  /// frame, us. `isInSync`: it follows an aligned frame directly. Call it once for each frame.
-  bool isJoined(uint32_t time, uint16_t usual, bool isInSync) {
+  /// Returns true if the frame that was complete at `time`, us, may be joined. `isInSync`: it follows an aligned frame
+  /// directly. Call it once for each frame.
+  bool isJoined(uint16_t time, uint8_t characterTime, bool isStretched, bool isInSync) {
     if (!_isCrowded) {
       _patience = PatienceMax;
       return false;
@@ -67,8 +85,11 @@ class JoinCheck {
       _patience--;
       return true;
     }
-    const uint16_t took = static_cast<uint16_t>(static_cast<uint16_t>(time) - _after);
-    return took > usual + (isInSync ? LateInSync : Late);
+    unsigned usual = unsigned{Size} * characterTime;
+    if (isStretched) {
+      usual *= 2;
+    }
+    return static_cast<uint16_t>(time - _after) > usual + (isInSync ? LateInSync : Late);
   }
 
  private:
@@ -84,36 +105,24 @@ class JoinCheck {
   static constexpr uint16_t Late = 3800;         // us: parts of two frames are a period apart, 4 ms or more
   static constexpr uint16_t LateInSync = 10000;  // us: two polls of a loop() of 5 ms
 
-  // Returns true if more characters must have come in the time, even if the sender pauses, and the line has lost some.
-  static bool hasLost(unsigned found, unsigned filled, unsigned interval, uint8_t characterTime, bool isStretched) {
-    const bool mayStretch = found < Size && (isStretched || interval > CountedMax);
-    unsigned most = found * characterTime * (mayStretch ? 2 : 1) + Paused;
-    if (interval <= most) {  // as nearly always
-      return false;
-    }
-    for (unsigned whole = filled == 0 ? 0 : Size - filled; whole <= found + Dropped; whole += Size) {
-      most += SilenceMax;
-    }
-    return interval > most;
-  }
-
-  unsigned _interval;  // us: the newest poll came so long after the one before it; 0 if the port was full
-  bool _isTrusted;     // the port tells what it has lost
-  uint16_t _after;     // us: the incoming frame had not begun then
-  bool _isCrowded;     // one of its polls found more than MostAtOnce
-  uint8_t _doubt;      // crowded frames until all are believed
-  uint8_t _patience;   // crowded frames until time alone decides
+  bool _isUnplaced;   // see isUnplaced()
+  bool _isTrusted;    // the port tells what it has lost
+  uint16_t _after;    // us: the incoming frame had not begun then
+  bool _isCrowded;    // one of its polls found more than MostAtOnce
+  uint8_t _doubt;     // crowded frames until all are believed
+  uint8_t _patience;  // crowded frames until time alone decides
 };
 
 /// Where the clock runs on.
 template <int Size>
 class JoinCheck<Size, false> {
  public:
-  void trustPort() {}                                                         ///< does nothing
-  void reset() {}                                                             ///< does nothing
-  void poll(unsigned, unsigned, uint32_t, unsigned, uint8_t, bool) {}         ///< does nothing
-  static constexpr bool isUnplaced() { return false; }                        ///< returns false
-  static constexpr bool isJoined(uint32_t, uint16_t, bool) { return false; }  ///< returns false
+  void trustPort() {}                                                                        ///< does nothing
+  void reset() {}                                                                            ///< does nothing
+  void poll(unsigned, bool, uint16_t) {}                                                     ///< does nothing
+  static constexpr bool late(unsigned, unsigned, unsigned, uint8_t, bool) { return false; }  ///< returns false
+  static constexpr bool isUnplaced() { return false; }                                       ///< returns false
+  static constexpr bool isJoined(uint16_t, uint8_t, bool, bool) { return false; }            ///< returns false
 };
 
 }  // namespace sbus

@@ -152,15 +152,16 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant
     const char *known, *unknown;
   } rows[] = {
       {"nothing yet", Plain, Far, "aligned", "wait"},
-      {"a header", Plain + Bytes{0x0F}, Far, "aligned", "aligned"},
-      {"2F", Plain + Bytes{0x2F}, Far, "aligned", "aligned"},
+      {"a header", Plain + Bytes{0x0F} + Bytes(11, 0x55), Far, "aligned", "aligned"},
+      {"a header, and no slots yet", Plain + Bytes{0x0F} + Bytes(10, 0x55), Far, "aligned", "wait"},
+      {"2F", Plain + Bytes{0x2F} + Bytes(11, 0x55), Far, "aligned", "aligned"},
       {"a gap", Plain, 25, "aligned", "aligned"},
       {"a gap, then anything", Plain + Bytes{0x55}, 25, "aligned", "aligned"},
       {"something else", Plain + Bytes{0x55}, Far, "aligned", "wait"},
       {"something else, and one more", Plain + Bytes{0x55, 0x0F}, Far, "aligned", "goes on 2"},
       {"a tail's beginning", part(tailed, 0, 29), Far, "aligned", "wait"},
       {"the tail", tailed, Far, "aligned", "wait"},
-      {"the tail and a header", tailed + Bytes{0x0F}, Far, "aligned", "aligned"},
+      {"the tail and a header", tailed + Bytes{0x0F} + Bytes(6, 0x55), Far, "aligned", "aligned"},
       {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F, 0x55}, Far, "aligned", "goes on 2"},
       {"a gap within the tail", part(tailed, 0, 27), 27, "aligned", "aligned"},
       {"the ID of a slot, the first time", s2 + Bytes{0x13, 0xC0}, Far, "aligned", "goes on 2"},
@@ -284,24 +285,38 @@ TEST_CASE("falseSync: out of sync an end byte and a header inside reject, up to 
   CHECK(judged({Plain + Bytes{0x0F}, Far, 30}) == "accept");
 }
 
-TEST_CASE("slots inside: before the first frame, three slots of one group in a row reject, up to the first of them") {
+TEST_CASE("slots inside: before the first frame, three slots of one group in a row reject, or two before a header") {
   for (uint8_t group = 0; group < 4; group++) {
     for (size_t place = 1; place < 20; place++) {
       for (size_t third = 0; third < 32; third++) {
         INFO("group ", unsigned{group}, ", place ", place, ", third ", third);
-        Bytes bytes = Plain + Bytes{0x0F};
+        Bytes bytes = Plain + Bytes{0x0F} + Bytes(11, 0x55);
         bytes[place] = slotId(static_cast<uint8_t>(8 * group));
         bytes[place + 3] = slotId(static_cast<uint8_t>(8 * group + 1));
         const size_t at = place + 6;
         const bool isInside = at < 23;
         bytes[isInside ? at : 22] = isInside ? slotId(static_cast<uint8_t>(third)) : bytes[22];
-        const bool areSlots = isInside && third / 8 == group;
-        CHECK(judged({bytes, Far, 0, false, false}) == (areSlots ? "false sync " + std::to_string(place) : "aligned"));
+        const bool areSlots = isInside ? third / 8 == group : at == 25;
+        CHECK(judged({bytes, Far, 0, false, false}) == (areSlots ? "false sync 1" : "aligned"));
         CHECK(judged({bytes, Far, 0, false, true}) == "aligned");  // the line's variant is known
         CHECK(judged({bytes, 0, 0, false, false}) == "aligned");   // a gap comes before it
         CHECK(judged({bytes, 25, 0, false, false}) == "aligned");  // or follows
       }
     }
+  }
+}
+
+TEST_CASE("slots inside: three slots behind the header that follows the first frame reject it, but not its own slots") {
+  for (size_t place = 25; place < 31; place++) {
+    CAPTURE(place);
+    Bytes bytes = bytesOf(plainFrame(1, 0x14)) + Bytes{0x0F} + Bytes(11, 0x55);
+    for (uint8_t slot = 0; slot < 3; slot++) {
+      bytes[place + 3 * slot] = slotId(static_cast<uint8_t>(8 + slot));
+    }
+    bytes[25] = place < 27 ? bytes[25] : 0x0F;
+    const bool areItsOwn = place < 27;  // directly behind it, or behind its break
+    const std::string verdict = judged({bytes, Far, 0, false, false});
+    CHECK((verdict == "false sync 1") == !areItsOwn);
   }
 }
 
@@ -410,7 +425,7 @@ TEST_CASE("tail: a gap behind a tail aligns the first frame only if there is als
 
 TEST_CASE(
     "other, first: before the first frame a line must show its gaps, and not look like one with the other frame size") {
-  const Bytes whole = Plain + Bytes{0x0F};
+  const Bytes whole = Plain + Bytes{0x0F} + Bytes(11, 0x55);
   CHECK(judged({whole, Far, 9, false, false}) == "accept");  // no gap was ever seen
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");

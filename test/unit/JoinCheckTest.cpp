@@ -12,15 +12,25 @@ constexpr uint8_t CharacterUs = 120;
 constexpr uint16_t FrameUs = 25 * CharacterUs;
 constexpr unsigned NoLoss = FrameUs;  // us: a time in which 25 characters come
 
+// Takes a poll that found `found` characters of a frame of which `filled` had come, 0: that begins with them.
+void poll(Join &join, unsigned found, unsigned filled, uint32_t before, unsigned interval, bool isStretched = false) {
+  join.poll(found, filled == 0, static_cast<uint16_t>(before));
+  join.late(interval, found, filled == 0 ? 0 : 25 - filled, CharacterUs, isStretched);
+}
+
+bool isJoined(Join &join, uint32_t us, bool isInSync = false) {
+  return join.isJoined(static_cast<uint16_t>(us), CharacterUs, false, isInSync);
+}
+
 // Takes a poll, and returns what its evidence is worth: how many of 300 crowded frames are rejected that took too long.
 int doubtsAfter(unsigned found, unsigned filled, unsigned interval, bool isStretched = false) {
   Join join;
   join.reset();
-  join.poll(found, filled, 0, interval, CharacterUs, isStretched);
-  join.poll(25, 0, 0, NoLoss, CharacterUs, isStretched);
+  poll(join, found, filled, 0, interval, isStretched);
+  poll(join, 25, 0, 0, NoLoss, isStretched);
   int count = 0;
   for (int i = 0; i < 300; i++) {
-    count += join.isJoined(20000, FrameUs, false) ? 1 : 0;
+    count += isJoined(join, 20000) ? 1 : 0;
   }
   return count;
 }
@@ -29,16 +39,16 @@ int doubtsAfter(unsigned found, unsigned filled, unsigned interval, bool isStret
 Join doubting() {
   Join join;
   join.reset();
-  join.poll(3, 10, 0, 2000, CharacterUs, false);
+  poll(join, 3, 10, 0, 2000);
   return join;
 }
 
 // Takes a frame of which a poll found `found` characters, and returns true if it is rejected. It took `us`.
 bool rejects(Join &join, unsigned found, uint32_t us, bool isInSync = false, uint32_t began = 0xFFFFF000) {
-  join.poll(1, 0, began, CharacterUs, CharacterUs, false);
-  join.poll(found, 1, began, found * CharacterUs, CharacterUs, false);
-  join.poll(1, 1 + found, began, CharacterUs, CharacterUs, false);
-  return join.isJoined(began + us, FrameUs, isInSync);
+  poll(join, 1, 0, began, CharacterUs);
+  poll(join, found, 1, began, found * CharacterUs);
+  poll(join, 1, 1 + found, began, CharacterUs);
+  return isJoined(join, began + us, isInSync);
 }
 
 int rejected(Join &join, int frames, unsigned found, uint32_t us, bool isInSync = false) {
@@ -92,6 +102,27 @@ TEST_CASE("after eight crowded frames in a row the time decides: 3.8 ms more tha
   }
 }
 
+TEST_CASE("a sender that stretches its frames takes twice as long") {
+  Join join = doubting();
+  CHECK_FALSE(rejects(join, 2, FrameUs));
+  CHECK(rejected(join, 8, 3, FrameUs) == 8);
+  poll(join, 25, 0, 0, NoLoss);
+  CHECK_FALSE(join.isJoined(2 * FrameUs + 3800, CharacterUs, true, false));
+  CHECK(join.isJoined(2 * FrameUs + 3801, CharacterUs, true, false));
+}
+
+TEST_CASE("a late poll that found less than the incomplete frame lacks has lost some of it") {
+  Join join;
+  join.reset();
+  CHECK_FALSE(join.late(3 * 120 + 600, 3, 20, CharacterUs, false));
+  CHECK(join.late(3 * 120 + 601, 3, 20, CharacterUs, false));
+  CHECK(join.late(3 * 120 + 601, 3, 4, CharacterUs, false));
+  CHECK_FALSE(join.late(3 * 120 + 601, 3, 3, CharacterUs, false));
+  CHECK_FALSE(join.late(20000, 3, 0, CharacterUs, false));  // no frame was incomplete
+  join.trustPort();
+  CHECK(join.late(3 * 120 + 601, 3, 20, CharacterUs, false));  // a pause on the line
+}
+
 TEST_CASE("without a doubt no frame is joined") {
   Join join;
   join.reset();
@@ -105,13 +136,13 @@ TEST_CASE("a frame is unplaced if the poll that brings its end comes more than 8
   Join join;
   join.reset();
   CHECK_FALSE(join.isUnplaced());
-  join.poll(25, 0, 0, 8000, CharacterUs, false);
+  poll(join, 25, 0, 0, 8000);
   CHECK_FALSE(join.isUnplaced());
-  join.poll(25, 0, 0, 8001, CharacterUs, false);
+  poll(join, 25, 0, 0, 8001);
   CHECK(join.isUnplaced());
-  join.poll(59, 0, 0, 25000, CharacterUs, false);
+  poll(join, 59, 0, 0, 25000);
   CHECK(join.isUnplaced());
-  join.poll(60, 0, 0, 25000, CharacterUs, false);  // a full port
+  poll(join, 60, 0, 0, 25000);  // a full port
   CHECK_FALSE(join.isUnplaced());
 }
 
@@ -119,12 +150,13 @@ TEST_CASE("a port that tells what it has lost raises no doubt") {
   Join join;
   join.reset();
   join.trustPort();
-  join.poll(3, 10, 0, 20000, CharacterUs, false);
+  poll(join, 3, 10, 0, 20000);
   CHECK_FALSE(join.isUnplaced());
   CHECK(rejected(join, 20, 3, 20000) == 0);
 }
 
 TEST_CASE("where the clock runs no frame is rejected") {
-  CHECK_FALSE(sbus::JoinCheck<25, false>::isJoined(100000, FrameUs, false));
+  CHECK_FALSE(sbus::JoinCheck<25, false>::isJoined(60000, CharacterUs, false, false));
+  CHECK_FALSE(sbus::JoinCheck<25, false>::late(60000, 3, 20, CharacterUs, false));
   CHECK_FALSE(sbus::JoinCheck<25, false>::isUnplaced());
 }

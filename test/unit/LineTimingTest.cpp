@@ -124,9 +124,10 @@ TEST_CASE(
         LineTiming line = afterByte(start, 120, row.idle);
         line.empty(start + 700);
         silenceBefore<sbus::Frame16>(line, static_cast<unsigned>(row.found), start + 700 + us);
-        const bool falls = is24 ? line.foundTooFew<sbus::Frame24>(row.found, row.missing, 9000, isStretched)
-                                : line.foundTooFew<sbus::Frame16>(row.found, row.missing, 9000, isStretched);
-        CHECK((!falls || line.mayHaveFoundTooFew()));
+        const unsigned interval = line.interval();
+        const bool falls = is24 ? line.foundTooFew<sbus::Frame24>(interval, row.found, row.missing, 9000, isStretched)
+                                : line.foundTooFew<sbus::Frame16>(interval, row.found, row.missing, 9000, isStretched);
+        CHECK((!falls || line.mayHaveFoundTooFew(interval)));
         return falls;
       };
       CHECK_FALSE(foundTooFew(row.us16, false));
@@ -143,7 +144,7 @@ TEST_CASE(
       }
     }
   }
-  CHECK_FALSE(timing(5000).mayHaveFoundTooFew());
+  CHECK_FALSE(timing(5000).foundTooFew<sbus::Frame16>(100000, 3, 20, 9000, false));  // no poll has found nothing
 }
 
 TEST_CASE("an empty call proves silence once a burst would have been handed over meanwhile, and a wide one later") {
