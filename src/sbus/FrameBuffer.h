@@ -39,7 +39,7 @@ class FrameBuffer {
   bool isHeader(int index) const { return isHeaderByte<Format>(_incoming[index]); }
 
   /// Returns the index of the first byte after the newest gap, 0..filled(), or Nowhere.
-  int gapAt() const { return _gapAt; }
+  uint8_t gapAt() const { return _gapAt; }
   Silence gap() const { return _gap; }  ///< how certain that gap is: Late, Likely, Gap or Wide
   /// Returns true if a wide gap comes before the incoming frame.
   bool beginsWide() const { return _gapAt == 0 ? isWide(_gap) : _beginsWide; }

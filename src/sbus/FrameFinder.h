@@ -427,7 +427,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
     int start = 0;
     bool found = false;
     for (const int last = _buffer.filled() - Size; start <= last;) {
-      int_fast8_t step = 1, worth = 1;
+      int step = 1, worth = 1;
       const uint8_t variant = variantAt(start);
       if (variant != NoVariant) {
         Verdict verdict = judge(start, variant);
@@ -464,7 +464,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
 
   // Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
   void noteEnd(int waiting) {
-    const int_fast8_t following = static_cast<int_fast8_t>(_buffer.filled() - Size);
+    const int following = _buffer.filled() - Size;
     if (following >= 0 && following + waiting < static_cast<int>(_found)) {
       _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
       _completeBy = _timing.lastPoll();
@@ -482,8 +482,8 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   }
 
   // Returns the index of the first header from `from` on, or filled().
-  int_fast8_t firstHeader(int_fast8_t from) const {
-    const int_fast8_t filled = static_cast<int_fast8_t>(_buffer.filled());
+  int firstHeader(int from) const {
+    const int filled = _buffer.filled();
     while (from < filled && !_buffer.isHeader(from)) {
       from++;
     }
@@ -506,7 +506,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   }
 
   // Inlined: a call would make a line of headers cost a fifth more.
-  SBUS_IN_LINE Verdict judge(int_fast8_t start, uint8_t variant) {
+  SBUS_IN_LINE Verdict judge(int start, uint8_t variant) {
     const int_fast8_t distance = static_cast<int_fast8_t>(start - _expectedAt);
     const bool isFirst = start == 0;
     const bool isInSync = distance == 0 && _aligned;
@@ -540,7 +540,7 @@ class FrameFinderOf : private Events, private JoinCheck<Format::Size, !LineTimin
   }
 
   // Discards the first characters of the incoming frame.
-  void discard(int_fast8_t count) {
+  void discard(int count) {
     if (_expectedAt > -FarOff) {
       _expectedAt = static_cast<int8_t>(_expectedAt - count);
     }

@@ -75,7 +75,7 @@ class LineTiming {
   /// `now`. Others may have come in between. (Inlined: 57 cycles a frame less.)
   template <typename Format>
   __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t asked, uint32_t now) {
-    const bool isKnown = _shortestInterval == HasEmptyPolls;
+    const bool isKnown = hasEmptyPolls();
     const uint32_t us = (isKnown ? _lastPoll : now) - _lastBytes;
     const unsigned silence = ClockRuns && isKnown && static_cast<int32_t>(us) < 0 ? 0 : capped(us);
     notePoll(now);
@@ -122,24 +122,28 @@ class LineTiming {
   uint32_t lastPoll() const { return _lastPoll; }    ///< the time of the newest poll, or of incomplete()
   uint32_t lastBytes() const { return _lastBytes; }  ///< the time of the newest poll that found bytes
 
-  /// Returns true if foundTooFew() may be true: the newest poll came later, by its interval(), than one character and a
-  /// gap can explain. (Asked first: an AVR's sensor polls each 100 us while the end of a frame is expected.)
-  bool mayHaveFoundTooFew(unsigned interval) const { return interval > unsigned{_characterTime} * (Gap + 2); }
-
   /// False on an AVR, recognised by its 16-bit ints: while interrupts are off, its micros() counts 2 ms at most.
   static constexpr bool ClockRuns = UINT_MAX > UINT16_MAX;
 
-  /// Returns true if the newest poll, `interval` us after the one before, must have found more than its `found` bytes;
-  /// false if no poll has found nothing, since then that time is not known. The first bytes belong to a frame
-  /// that lacked `missing` bytes, 0 if none was incomplete. In a frame the characters follow each other, and a frame is
-  /// complete at most one `period`, us, after the previous frame. Call it only if mayHaveFoundTooFew().
+  /// Returns true if foundTooFew() may be true: some polls have found nothing, so that the time of the previous poll is
+  /// known (on an AVR JoinCheck asks, too, where none has), and the newest poll came later, by its interval(), than one
+  /// character and a gap can explain. (Asked first: an AVR's sensor polls each 100 us while the end of a frame is
+  /// expected.)
+  bool mayHaveFoundTooFew(unsigned interval) const {
+    return (!ClockRuns || hasEmptyPolls()) && interval > unsigned{_characterTime} * (Gap + 2);
+  }
+
+  /// Returns true if the newest poll, `interval` us after the one before, must have found more than its `found` bytes.
+  /// The first of them belong to a frame that lacked `missing` bytes, 0 if none was incomplete. In a frame the
+  /// characters follow each other, and a frame is complete at most one `period`, us, after the previous frame. Call it
+  /// only if mayHaveFoundTooFew().
   template <typename Format>
   bool foundTooFew(unsigned interval, int found, int missing, uint32_t period, bool isStretched) const {
     const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? BurstMax : 0);
     const unsigned most = isStretched ? handedOver * StretchedMax + _idleCharacters + Gap : inTime<Format>(handedOver);
     const unsigned enough = most * _characterTime;
     unsigned late = interval;
-    if (_shortestInterval != HasEmptyPolls || late <= enough || (!ClockRuns && found >= missing)) {
+    if (late <= enough || (!ClockRuns && (found >= missing || !hasEmptyPolls()))) {
       return false;
     }
     late -= enough;
@@ -175,6 +179,8 @@ class LineTiming {
   // Some senders stretch a frame: 240 us from one character to the next, or silences of half a millisecond
   // (extras/docs/receiver.md).
   static constexpr unsigned StretchedMax = 2;  // characters' time for each
+
+  bool hasEmptyPolls() const { return _shortestInterval == HasEmptyPolls; }
 
   // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
