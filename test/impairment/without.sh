@@ -24,7 +24,7 @@ copy() {  # NAME
   rm -rf "$copy/new"
   mkdir -p "$copy"
   cp -Rp ../../src "$copy/new"
-  definition="^.*\(bool\|int\) $(column "$1" 2)(.*) \(const \)\{0,1\}{"
+  definition="^.*\(bool\|int\|int_fast8_t\) $(column "$1" 2)(.*) \(const \)\{0,1\}{"
   [ "$(cat "$copy/new/sbus"/*.h | grep -c "$definition")" = 1 ] || return 1
   sed -i "s/$definition/& return $(column "$1" 3);/" "$(grep -l "$definition" "$copy/new/sbus"/*.h)"
   if diff -r "$copy/new" "$copy/src" >/dev/null 2>&1; then rm -r "$copy/new"; else

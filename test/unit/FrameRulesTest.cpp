@@ -36,8 +36,12 @@ struct Case {
                                        : Silence::Likely;
     const bool follows = isInSync && distance == 0;
     const uint8_t variant = variantOfEnd(bytes[24]);
-    return {bytes.data(), static_cast<int>(bytes.size()),       gapAt,    gap,    inside, beginsWide || follows,
-            variant,      hasLineVariant ? variant : NoVariant, distance, follows};
+    const auto number = [](auto of) { return static_cast<int_fast8_t>(of); };
+    return {bytes.data(),     number(bytes.size()),
+            number(gapAt),    gap,
+            inside,           beginsWide || follows,
+            variant,          hasLineVariant ? variant : NoVariant,
+            number(distance), follows};
   }
 };
 
