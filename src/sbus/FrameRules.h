@@ -158,16 +158,15 @@ constexpr int SlotsBehind = 12;
 
 /// Returns the index of a header after an end byte inside it, where the next frame may begin; otherwise Size. While the
 /// line's variant is unknown any end byte counts, and so do slots, inside it or behind it: then the header behind it
-/// was no header, but a byte of the frame before them. Slots directly behind it, or behind its break, are its own; two
-/// that end with it may be channels. (Not inlined: 24 bytes less on a Cortex-M0+.)
+/// was no header, but a byte of the frame before them. Slots directly behind it, or behind its break, are its own. (Not
+/// inlined: 24 bytes less on a Cortex-M0+.)
 template <typename Format>
 __attribute__((noinline)) int falseSyncAt(const Candidate<Format> &c) {
   if (c.hasLineVariant() || Format::Variants == 1) {
     return innerHeader(c.bytes, Format::Size, c.variant);
   }
   for (int_fast8_t i = static_cast<int_fast8_t>(c.count - 2 * SlotSize - 1); i > 0; i--) {
-    const bool endsWithTwo = i == Format::Size - 2 * SlotSize && !isSlotId(c.bytes[Format::Size]);
-    if (areSlots(c.bytes + i) && static_cast<unsigned>(i - Format::Size) > 1 && !endsWithTwo) {
+    if (areSlots(c.bytes + i) && static_cast<unsigned>(i - Format::Size) > 1) {
       return 1;
     }
   }
