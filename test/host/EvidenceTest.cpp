@@ -200,6 +200,27 @@ TEST_CASE("a long file without a frame at its beginning is no line, and raw fram
   }
 }
 
+TEST_CASE("a distance that hardly a frame has is no evidence: what begins within a damaged frame is none") {
+  line::Random random(seedOfDay() + 5);
+  Frames sent;
+  while (sent.size() < 48) {
+    for (const Frame &frame : flight(random)) {
+      sent.push_back(frame);
+      std::replace(sent.back().begin() + 1, sent.back().end(), uint8_t{0x0F}, uint8_t{0x1F});
+    }
+  }
+  sent[20][0] = 0x8F;
+  sent[20][4] = sbus::HeaderByte;  // 25 bytes from here look like a frame; they end in the next one
+  sent[21][1] = 0;
+  std::string bytes;
+  for (const Frame &frame : sent) {
+    bytes.append(frame.begin(), frame.end());
+    bytes.append(2, '\0');
+  }
+  sent.erase(sent.begin() + 20);
+  CHECK(framesIn(bytes) == sent);
+}
+
 TEST_CASE("what stands before, between and around frames costs none, in any form") {
   struct Between {
     const char *what;

@@ -293,7 +293,8 @@ TEST_CASE("simulators' uneven times and Saleae's dates give the same bytes, and 
     before = edge;
   }
   row(wire.ns, high);
-  for (const std::string &text : {ltspice, ngspice, dates}) {
+  const std::string micros = replaced(replaced(dates, "567+", "+"), "000+", "+");
+  for (const std::string &text : {ltspice, ngspice, dates, micros}) {
     INFO(text.substr(0, 200));
     const Decoded decoded(text);
     CHECK(decoded.error == "");

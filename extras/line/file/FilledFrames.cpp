@@ -18,11 +18,6 @@ size_t headerFrom(const TextBytes &bytes, size_t at, size_t most) {
 
 }  // namespace
 
-bool isFrameAt(const TextBytes &bytes, size_t at) {
-  return at + sbus::FrameSize <= bytes.size() && bytes[at].value == sbus::HeaderByte &&
-         sbus::isFlagsByte(bytes[at + sbus::FlagsIndex].value) && sbus::isEndByte(bytes[at + sbus::EndIndex].value);
-}
-
 FilledFrames::FilledFrames(const TextBytes &head) {
   constexpr size_t Part = 10;  // of the frames have as many bytes before the next one
   size_t found[MostBetween + 1] = {}, all = 0, most = 0;

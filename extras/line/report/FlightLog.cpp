@@ -184,13 +184,12 @@ FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes) {
   add("failsafe ", failsafe);
   add("no pulses (0 on CH1 to CH4, without a flag) ", pulseless);
   add("no frames ", silences);
-  if (!silences.empty()) {
-    const bool isFirst = silences.front().fromUs<flight.firstUs(), isLast = silences.back().toUs> flight.lastUs();
-    text += isFirst && isLast ? ", at the beginning and at the end"
-            : isFirst         ? ", at the beginning"
-            : isLast          ? ", at the end"
-                              : "";
-  }
+  const bool isFirst = flight.fromUs() < flight.firstUs();
+  const bool isLast = flight.toUs() > flight.lastUs();
+  text += isFirst && isLast ? ", at the beginning and at the end"
+          : isFirst         ? ", at the beginning"
+          : isLast          ? ", at the end"
+                            : "";
   if (!text.empty()) {
     text[0] = text[0] == 'f' ? 'F' : 'N';
     return {Severity::Bad, text + "; " + lostText + "."};
