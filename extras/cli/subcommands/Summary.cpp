@@ -24,7 +24,7 @@ namespace {
 constexpr size_t ShownMost = 20;       // spans of a kind
 constexpr unsigned long BarMost = 50;  // characters
 
-double seconds(uint64_t us, int64_t zeroUs = 0) { return static_cast<double>(static_cast<int64_t>(us) + zeroUs) / 1e6; }
+double seconds(uint64_t us, int64_t zeroUs = 0) { return line::seconds(static_cast<int64_t>(us) + zeroUs); }
 
 std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   if (spans.empty()) {
