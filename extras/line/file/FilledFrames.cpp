@@ -53,7 +53,7 @@ size_t FilledFrames::frameAt(size_t at, bool isEnd) const {
   }
   const size_t end = at + sbus::FrameSize, next = headerFrom(_waiting, end, MostBetween);
   const size_t between = std::min(next, _waiting.size()) - end;
-  const bool isProved = next == SIZE_MAX ? isEnd && between <= _most : isFrameAt(_waiting, next) && isBetween(between);
+  const bool isProved = next == SIZE_MAX ? isEnd : isFrameAt(_waiting, next) && isBetween(between);
   const size_t tail = sbus::LineVariants[sbus::variantOfEnd(_waiting[end - 1].value)].tailSize;
   return isProved || (_since >= 0 && isBetween(static_cast<size_t>(_since)))
              ? sbus::FrameSize + (between < tail ? 0 : tail)
