@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "line/Observer.h"
@@ -124,4 +125,22 @@ TEST_CASE("of bytes that another program changed, every frame is one that was se
     CHECK(fewer <= 4);  // of 300 files: frames back to back that look like others, 0F or 2F, from a place within
     CHECK(silent <= 2);
   }
+}
+
+TEST_CASE("a few short frames are no flow control, and a few pairs of bytes no UTF-8") {
+  for (const auto &[frames, shorts] : {std::pair{6u, 1u}, {40u, 3u}}) {
+    const std::vector<Bytes> sent = flight(frames);
+    Bytes bytes;
+    for (size_t i = 0; i < frames; i++) {
+      const Bytes frame = replaced(sent[i], [](char c) { return Bytes(1, c == 0x11 || c == 0x13 ? '\x12' : c); });
+      bytes += i % 2 == 1 && i < 2 * shorts ? frame.substr(0, 5) + frame.substr(6) : frame;
+    }
+    CAPTURE(frames);
+    CHECK(line::readFileHead(bytes, "file.bin").damage == "");
+  }
+  Bytes pairs;
+  for (int i = 0; i < 3; i++) {
+    pairs += Bytes("\x0F\xC3\xA9") + Bytes(22, '\0');
+  }
+  CHECK(line::readFileHead(pairs, "file.bin").kind == line::FileKind::Bytes);
 }

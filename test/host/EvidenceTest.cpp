@@ -198,6 +198,30 @@ TEST_CASE("a long file without a frame at its beginning is no line, and raw fram
   for (const size_t count : {size_t{1}, size_t{5}, size_t{15}}) {  // a single frame, as one is posted
     CHECK(framesIn(bytesOf("") + std::string(count, '\0')) == sent);
   }
+  CHECK(framesIn(bytesOf("") + others.substr(0, 50)).empty());
+}
+
+TEST_CASE("frames half of whose channels leap are none, unless they fill the file") {
+  line::Random random(seedOfDay() + 6);
+  std::string bytes;
+  for (int i = 0; i < 12; i++) {
+    Channels channels{};
+    for (size_t k = 0; k < 16; k++) {
+      channels[k] = static_cast<uint16_t>(k < 8 ? 172 + random.below(1640) : 992 + k);
+    }
+    const Frame frame = writeBitByBit(channels);
+    bytes.append(frame.begin(), frame.end());
+  }
+  CHECK(framesIn(bytes).size() == 12);
+  CHECK(framesIn(bytes + std::string(150, '\1')).empty());
+}
+
+TEST_CASE("rows with times that are 9 ms apart are a sketch's, no samples of a wire") {
+  std::string rows = "time,CH1,CH2\n";
+  for (int i = 1; i < 40; i++) {
+    rows += "0." + std::to_string(1000 + 9 * i) + "," + std::to_string(992 + i) + ",172\n";
+  }
+  CHECK(line::kindOfText(rows) == line::FileKind::Rows);
 }
 
 TEST_CASE("a distance that hardly a frame has is no evidence: what begins within a damaged frame is none") {
