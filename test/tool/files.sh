@@ -150,6 +150,7 @@ for line in 'words.txt|0F E5 03 1F F8 C0 07 3E 0F E5 03 1F F8 C0 07 3E 0F E5 03 
   "$SBUS" hex "$work/${line%%|*}" 2>"$work/err" | grep -q "^ *-  ${line#*|} " || { cat "$work/err"; false; }
   verdict $? "bytes that are no frame are shown as they stand in ${line%%|*}"
 done
+printf '%s\n%s\nis it a dead cafe be or not, who knows\n' "$frame" "$frame" | written prose.txt
 # rejected NAME MESSAGE: standard input is a file of another kind
 rejected() {
   cat >"$work/$1"
