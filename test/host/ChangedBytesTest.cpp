@@ -5,7 +5,6 @@
 #include <deque>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "line/Observer.h"
@@ -128,14 +127,15 @@ TEST_CASE("of bytes that another program changed, every frame is one that was se
 }
 
 TEST_CASE("a few short frames are no flow control, and a few pairs of bytes no UTF-8") {
-  for (const auto &[frames, shorts] : {std::pair{6u, 1u}, {40u, 3u}}) {
-    const std::vector<Bytes> sent = flight(frames);
+  const struct { unsigned frames, shorts; } rows[] = {{6, 1}, {40, 3}};
+  for (const auto &row : rows) {
+    const std::vector<Bytes> sent = flight(row.frames);
     Bytes bytes;
-    for (size_t i = 0; i < frames; i++) {
+    for (size_t i = 0; i < row.frames; i++) {
       const Bytes frame = replaced(sent[i], [](char c) { return Bytes(1, c == 0x11 || c == 0x13 ? '\x12' : c); });
-      bytes += i % 2 == 1 && i < 2 * shorts ? frame.substr(0, 5) + frame.substr(6) : frame;
+      bytes += i % 2 == 1 && i < 2 * row.shorts ? frame.substr(0, 5) + frame.substr(6) : frame;
     }
-    CAPTURE(frames);
+    CAPTURE(row.frames);
     CHECK(line::readFileHead(bytes, "file.bin").damage == "");
   }
   Bytes pairs;
