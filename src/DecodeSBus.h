@@ -127,7 +127,7 @@ class DecodeSBusOf : protected Polling,
   /// that calls it only when bytes are pending (serialEvent1()) loses a frame each time its loop() is late by 2 ms.
   ///
   /// While interrupts are off, bytes get lost, and parts of two frames may be joined, above all on an AVR
-  /// (extras/docs/boards.md).
+  /// (extras/docs/libraries.md).
   ///
   /// A frame is delivered by the first call after its last byte. The very first frame, the first frame of another line
   /// variant, and a frame after discarded bytes or 50 ms of silence may be held until the next frame, or 3 ms of
@@ -171,9 +171,9 @@ class DecodeSBusOf : protected Polling,
   // ---- The link
 
   /// Returns how far the channels can be trusted: NeverSeen before the first frame, then Ok, Lossy, Failsafe or Stale.
-  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes. If
-  /// the board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/boards.md, "A board that
-  /// sleeps").
+  ///
+  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes.
+  /// If the board sleeps, its clocks may stop: then call begin() when it wakes (extras/docs/sleep.md).
   sbus::LinkState linkState() {
     const Lock lock(*this);
     return state();

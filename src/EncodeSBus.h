@@ -23,7 +23,7 @@ class EncodeSBusOf {
   /// `port` must outlive the object.
   template <typename Port>
   explicit EncodeSBusOf(Port &port) : _port(port) {
-    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
+    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/sbuspin.md");
   }
 
   /// Remembers `port` and its pins, on an ESP32 or ESP8266 (see DecodeSBusOf()).

@@ -74,7 +74,7 @@ class SBus2Sensor : protected DecodeSBusTelemetryOf<sbus::SlotSchedule, sbus::Po
   template <typename Port>
   explicit SBus2Sensor(Port &port)
       : Decoder(port), _stream(port), _start(start<Port>), _notice(sbus::KindOf<Port>::Notice) {
-    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/boards.md, SBusPin");
+    static_assert(sbus::KindOf<Port>::Sends, "An SBusPin only receives: extras/docs/sbuspin.md");
   }
 
   /// See DecodeSBusOf(), with pins.

@@ -8,8 +8,7 @@
 #include "port/PortKind.h"
 
 #if !defined(SBUS_PIN)
-#error \
-    "SBusPin needs an ATmega328P, 168, 1280, 2560 or 1284P at 16 MHz. Use a serial port: extras/docs/boards.md, SBusPin"
+#error "SBusPin needs an ATmega328P, 168, 1280, 2560 or 1284P at 16 MHz. Use a serial port: extras/docs/sbuspin.md"
 #else
 
 /// A port that receives an S.Bus line on a pin: Uno R3, Nano, Pro Mini 7; Mega 5; ATmega1284P 3 (PB3).
@@ -25,7 +24,7 @@
 /// time: the other receives nothing.
 ///
 /// While it is open, timer 1 counts from 0 to 65535 in steps of 0.5 us. Its compare units remain usable; analogWrite()
-/// on its pins (Uno: 9, 10; Mega: 11, 12) and the library Servo are not: extras/docs/boards.md, "SBusPin".
+/// on its pins (Uno: 9, 10; Mega: 11, 12) and the library Servo are not: extras/docs/sbuspin.md.
 class SBusPin : public Stream {
  public:
   static constexpr uint8_t Pin = SBUS_PIN;  ///< the board's number of the pin

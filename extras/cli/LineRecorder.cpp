@@ -28,7 +28,7 @@ void LineRecorder::put(const line::Character &character) {
     _writer.put(character);
   } else {
     _first.push_back(character);
-    decide(character);
+    decide();
   }
   flush();
 }
@@ -57,12 +57,10 @@ std::string LineRecorder::summary() {
          " with errors), " + _observer.frames();
 }
 
-void LineRecorder::decide(const line::Character &character) {
-  const bool text = !character.bad && (character.value == '\r' || character.value == '\n' ||
-                                       (character.value >= ' ' && character.value <= '~'));
+void LineRecorder::decide() {
   if (_rows.recognised()) {
     begin(Kind::Rows);
-  } else if (!text || _first.size() == TextMax) {
+  } else if (_rows.garbled() > 0 || _first.size() == TextMax) {
     begin(Kind::Characters);
   }
 }

@@ -40,7 +40,7 @@ class LineRecorder {
  private:
   enum class Kind { Unknown, Characters, Rows };
 
-  void decide(const line::Character &character);
+  void decide();
   void begin(Kind kind);
   void writeRow(bool complete);
   void flush();

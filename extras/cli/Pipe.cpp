@@ -29,8 +29,6 @@ constexpr double NoteAfterS = 2;
 
 enum class Look { Unknown, Bytes, Packed, Text };
 
-bool isControl(unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; }
-
 // 0F, the header of each S.Bus frame, does not occur in text. Text has few characters beyond ASCII, such as a micro
 // sign.
 Look lookOf(const std::string &begin, bool ended) {
@@ -50,7 +48,7 @@ Look lookOf(const std::string &begin, bool ended) {
   if (maybeUtf16 && begin.size() < 4 && !ended) {
     return Look::Unknown;
   }
-  if (std::any_of(begin.begin(), begin.end(), isControl)) {
+  if (std::any_of(begin.begin(), begin.end(), line::isControl)) {
     return Look::Bytes;
   }
   const auto others = std::count_if(begin.begin(), begin.end(), [](char c) { return c < 0; });

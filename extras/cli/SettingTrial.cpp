@@ -121,7 +121,7 @@ std::string SettingTrial::figures(bool hasTimes) const {
                                          aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
                                          std::to_string(usualPeriodUs(periods, us)) + " us";
   return variant() + ": " + rate + lost +
-         (silent == 0 ? "" : line::format("; silent for %.2f s", static_cast<double>(silent) / 1e6)) + "\n";
+         (silent == 0 ? "" : line::format("; silent for %.2f s", line::seconds(silent))) + "\n";
 }
 
 std::string SettingTrial::telemetry() const {
@@ -177,7 +177,6 @@ uint64_t SettingTrial::silentUs(uint64_t Silence::*us) const {
 std::string SettingTrial::framesInPart() const {
   constexpr uint64_t PartUs = 300000;
   constexpr size_t FramesLeast = 10;  // for each time without: on a line with a wrong setting they come by chance
-  const auto seconds = [](uint64_t us) { return static_cast<double>(us) / 1e6; };
   std::vector<line::FlagSpan> without = _spans.all();
   without.erase(std::remove_if(without.begin(), without.end(),
                                [this](const line::FlagSpan &each) {
@@ -192,7 +191,7 @@ std::string SettingTrial::framesInPart() const {
   if (last.fromUs == _ends.back() && last.us() >= PartUs) {
     const bool isSilent = !_silences.empty() && _silences.back().beginUs + _silences.back().us >= last.toUs &&
                           2 * _silences.back().us > last.us();
-    return line::format("Frames stop: for the last %.1f s %s.", seconds(last.us()),
+    return line::format("Frames stop: for the last %.1f s %s.", line::seconds(last.us()),
                         isSilent ? "the line is silent" : "bytes come, but no frame");
   }
   if (all < silent + PartUs) {
@@ -200,8 +199,9 @@ std::string SettingTrial::framesInPart() const {
   }
   const line::FlagSpan &first = without.front();
   return first.toUs == _ends.front()
-             ? line::format("Frames begin late: for the first %.1f s bytes come, but no frame.", seconds(first.us()))
-             : line::format("Frames in part: for %.1f s bytes come, but no frame.", seconds(all - silent));
+             ? line::format("Frames begin late: for the first %.1f s bytes come, but no frame.",
+                            line::seconds(first.us()))
+             : line::format("Frames in part: for %.1f s bytes come, but no frame.", line::seconds(all - silent));
 }
 
 // Returns the frame periods without those interrupted by a silence, which may last for hours.

@@ -18,8 +18,6 @@ constexpr size_t Ahead = 2;          // characters: knownUs() needs the next one
 constexpr uint64_t OldUs = 250000;   // a live text's characters that are this much older than its newest are left out
 constexpr int64_t JitterUs = 20000;  // a pipe's: a live text's newest character is played so much later at most
 
-double seconds(int64_t us) { return static_cast<double>(us) / 1e6; }
-
 }  // namespace
 
 FileText::FileText(const std::string &path, const std::string &name, bool isRaw)
@@ -52,8 +50,8 @@ std::string_view PipeText::read() {
 }
 
 std::string emptyPart(int64_t firstUs, int64_t lastUs) {
-  return line::format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(firstUs),
-                      seconds(lastUs));
+  return line::format(": has no characters there; it has characters from %.3f s to %.3f s", line::seconds(firstUs),
+                      line::seconds(lastUs));
 }
 
 TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<line::LineReader> reader,

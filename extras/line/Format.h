@@ -14,4 +14,10 @@ std::string format(const char *pattern, Values... values) {
   return text;
 }
 
+// Returns a time in us as seconds, to be printed.
+template <typename Us>
+constexpr double seconds(Us us) {
+  return static_cast<double>(us) / 1e6;
+}
+
 }  // namespace line

@@ -28,10 +28,7 @@ bool takeSourceWord(const std::string &word, Source &source) {
   if (word == "uninverted") {
     source.settings.polarity = Polarity::Uninverted;
   } else if (word.rfind("noise=", 0) == 0) {
-    const std::string digits = word.substr(6);
-    const bool isNumber = digits.find_first_not_of("0123456789") == std::string::npos;
-    source.noise = isNumber && !digits.empty() && digits.size() <= 6 ? static_cast<unsigned>(std::stoul(digits)) : 0;
-    return source.noise >= 1 && source.noise <= NoiseMax;
+    return parseWhole(std::string_view(word).substr(6), source.noise) && source.noise >= 1 && source.noise <= NoiseMax;
   } else if (!source.isSimulated()) {
     return false;
   } else if (word == "16" || word == "24" || word == "32") {

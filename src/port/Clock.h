@@ -83,7 +83,7 @@ class Clock {
 #else
 
 // On all other cores that receive S.Bus either both clocks run while the board sleeps or neither does
-// (extras/docs/boards.md, "A board that sleeps").
+// (extras/docs/sleep.md).
 class Clock {
  public:
   void start() {}

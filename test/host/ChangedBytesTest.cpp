@@ -125,3 +125,22 @@ TEST_CASE("of bytes that another program changed, every frame is one that was se
     CHECK(silent <= 2);
   }
 }
+
+TEST_CASE("a few short frames are no flow control, and a few pairs of bytes no UTF-8") {
+  const struct { unsigned frames, shorts; } rows[] = {{6, 1}, {40, 3}};
+  for (const auto &row : rows) {
+    const std::vector<Bytes> sent = flight(row.frames);
+    Bytes bytes;
+    for (size_t i = 0; i < row.frames; i++) {
+      const Bytes frame = replaced(sent[i], [](char c) { return Bytes(1, c == 0x11 || c == 0x13 ? '\x12' : c); });
+      bytes += i % 2 == 1 && i < 2 * row.shorts ? frame.substr(0, 5) + frame.substr(6) : frame;
+    }
+    CAPTURE(row.frames);
+    CHECK(line::readFileHead(bytes, "file.bin").damage == "");
+  }
+  Bytes pairs;
+  for (int i = 0; i < 3; i++) {
+    pairs += Bytes("\x0F\xC3\xA9") + Bytes(22, '\0');
+  }
+  CHECK(line::readFileHead(pairs, "file.bin").kind == line::FileKind::Bytes);
+}

@@ -198,6 +198,51 @@ TEST_CASE("a long file without a frame at its beginning is no line, and raw fram
   for (const size_t count : {size_t{1}, size_t{5}, size_t{15}}) {  // a single frame, as one is posted
     CHECK(framesIn(bytesOf("") + std::string(count, '\0')) == sent);
   }
+  CHECK(framesIn(bytesOf("") + others.substr(0, 50)).empty());
+}
+
+TEST_CASE("frames half of whose channels leap are none, unless they fill the file") {
+  line::Random random(seedOfDay() + 6);
+  std::string bytes;
+  for (int i = 0; i < 12; i++) {
+    Channels channels{};
+    for (size_t k = 0; k < 16; k++) {
+      channels[k] = static_cast<uint16_t>(k < 8 ? 172 + random.below(1640) : 992 + k);
+    }
+    const Frame frame = writeBitByBit(channels);
+    bytes.append(frame.begin(), frame.end());
+  }
+  CHECK(framesIn(bytes).size() == 12);
+  CHECK(framesIn(bytes + std::string(150, '\1')).empty());
+}
+
+TEST_CASE("rows with times that are 9 ms apart are a sketch's, no samples of a wire") {
+  std::string rows = "time,CH1,CH2\n";
+  for (int i = 1; i < 40; i++) {
+    rows += "0." + std::to_string(1000 + 9 * i) + "," + std::to_string(992 + i) + ",172\n";
+  }
+  CHECK(line::kindOfText(rows) == line::FileKind::Rows);
+}
+
+TEST_CASE("a distance that hardly a frame has is no evidence: what begins within a damaged frame is none") {
+  line::Random random(seedOfDay() + 5);
+  Frames sent;
+  while (sent.size() < 48) {
+    for (const Frame &frame : flight(random)) {
+      sent.push_back(frame);
+      std::replace(sent.back().begin() + 1, sent.back().end(), uint8_t{0x0F}, uint8_t{0x1F});
+    }
+  }
+  sent[20][0] = 0x8F;
+  sent[20][4] = sbus::HeaderByte;  // 25 bytes from here look like a frame; they end in the next one
+  sent[21][1] = 0;
+  std::string bytes;
+  for (const Frame &frame : sent) {
+    bytes.append(frame.begin(), frame.end());
+    bytes.append(2, '\0');
+  }
+  sent.erase(sent.begin() + 20);
+  CHECK(framesIn(bytes) == sent);
 }
 
 TEST_CASE("what stands before, between and around frames costs none, in any form") {

@@ -156,7 +156,7 @@ export default async function () {
   ]) {
     await check(`times before the trigger are below 0 in the wire view and at the position: ${name}`, async (page) => {
       await playPaused(page, name, content);
-      await seek(page, 5);
+      await seek(page, 15);
       await reads(page, '#position-text', /^-0:0(2\.0|1\.9)/);
       await reads(page, '#wire-text', wire);
     });

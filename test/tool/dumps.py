@@ -164,6 +164,7 @@ WAYS = {
     "C array in decimal over lines": "const uint8_t PACKETS[] = {\n" + rows(ALL, 5, lambda at, row: "    " + DECIMAL(row) + ",") + "};\n",
     "a numbered byte a line": "".join(f"[{i % 25}] = 0x{byte:02X}\n" for i, byte in enumerate(ALL)),
     "a number and a byte": "".join(f"{i:3} {byte:02X}\n" for i, byte in enumerate(ALL)),
+    "seconds and a decimal byte": "".join(f"{12.345 + i // 25 * 0.009 + i % 25 * 0.00012:.6f} {byte}\n" for i, byte in enumerate(ALL)),
     "a terminal's log": "Terminal log file\nDate: 28.11.2026 - 06:10:46\n-----\n" + lines(UPPER) + "-----\nDate: 28.11.2026 - 06:10:52\nEnd log file\n",
     "socat -x": lines(lambda data, i: f"> 2026/11/24 15:16:17.{9000 * i:06}  length=25 from={25 * i} to={25 * i + 24}\n {LOWER(data)}\n--"),
     "candump": rows(ALL, 8, lambda at, row: f"  can0  123   [{len(row)}]  {UPPER(row)}"),
@@ -178,6 +179,7 @@ GROWING = [bytes([each[0], 0x10 + 23 * (i == 1), *each[2:]]) for i, each in enum
 OTHERS = {
     "UltraEdit": (rows(b"".join(CENTRED), 16, lambda at, row: f"{at:08X}h: {UPPER(row):<47} ; {ascii(row)}"), CENTRED),
     "a dump with blank lines": (rows(b"".join(CENTRED), 16, lambda at, row: f"{at:08x}: {LOWER(row):<47}  {ascii(row)}\n"), CENTRED),
+    "a numbered list, and then bytes": ("".join(f"{i}: 50\n" for i in range(26)) + lines(UPPER, FRAMES * 7), FRAMES * 7),
     "groups of four bytes": (lines(lambda data, i: data.hex(" ", -4), ZEROS), ZEROS),
     "lines that look like offsets once": (lines(lambda data, i: data.hex(" ", -2), GROWING), GROWING),
 }

@@ -132,7 +132,25 @@ done
 
 # Lines that a terminal program writes around bytes, prose around what is posted, and a declaration are no bytes.
 printf 'CoolTerm Capture (a.txt) 2021-05-11 18:12:30\n%s\n%s\n' "$frame" "$frame" | written coolterm.txt
+printf '\033[0;32mRX: %s\033[0m\n\033[0;32mRX: %s\033[0m\n' "$frame" "$frame" | tee "$work/piped.txt" | written colours.txt
+# shellcheck disable=SC2002  # a pipe, not a file
+"$SBUS" hex "$work/piped.txt" >"$work/wanted" 2>"$work/err" && cat "$work/piped.txt" | "$SBUS" hex - 2>"$work/err" | cmp - "$work/wanted"
+verdict $? "a terminal's colours are no bytes of a line, by a pipe either"
 printf 'I get this:\n```\n%s\n%s\n```\nWhat is wrong?\n' "$frame" "$frame" | written post.txt
+# What looks like a CAN bus's log, or like a decoder's bits, for one line or for half of them.
+printf '[12.345] port #1 open\n%s\n%s\n' "$frame" "$frame" | written port.txt
+printf 'UART: 1\nUART: 0\n[12.345] open\n%s\n%s\n' "$frame" "$frame" >"$work/uart.txt" &&
+  [ "$("$SBUS" hex "$work/uart.txt" 2>"$work/err" | grep -c " $frame  frame end 00$")" -eq 2 ]
+verdict $? "bytes are read from below two settings of a UART"
+echo "$frame $frame" | tr ' ' '\n' | sed 's/.*/uart-1: Start bit\nuart-1: &/' | written starts.txt
+# Of words that are no frames in either order, the bytes are in the order in which they stand; two digits are a byte.
+printf '00000000: 0fe5 031f f8c0 073e 0fe5 031f f8c0 073e  ................\n00000010: 0fe5 031f  ....\n' >"$work/words.txt"
+printf '00 01 00 00 01\n01 00 00 01 01\n' >"$work/zeros.txt"
+for line in 'words.txt|0F E5 03 1F F8 C0 07 3E 0F E5 03 1F F8 C0 07 3E 0F E5 03 1F' 'zeros.txt|00 01 00 00 01 01 00 00 01 01'; do
+  "$SBUS" hex "$work/${line%%|*}" 2>"$work/err" | grep -q "^ *-  ${line#*|} " || { cat "$work/err"; false; }
+  verdict $? "bytes that are no frame are shown as they stand in ${line%%|*}"
+done
+printf '%s\n%s\nis it a dead cafe be or not, who knows\n' "$frame" "$frame" | written prose.txt
 # rejected NAME MESSAGE: standard input is a file of another kind
 rejected() {
   cat >"$work/$1"

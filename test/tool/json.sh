@@ -88,6 +88,9 @@ done
 [ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim:uninverted --simulated-time --json >"$work/doctor" &&
   [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"Wrong polarity'
 verdict $? "doctor --json has the verdict and the exit status"
+"$SBUS" hex sim:24 --simulated-time --seconds 2 --json | sed '100s/\(\[\([0-9]*,\)\{19\}\)[0-9]*,/\12000,/' >"$work/jump.json"
+"$SBUS" summary "$work/jump.json" --json | grep -q '"kind":"jump",.*"channels":\[20\]}$'
+verdict $? "summary --json of a jump names its channel, CH20"
 cp recordings/paper.txt "$work/$(printf 'caf\351\n\033')"
 (cd "$work" && "$SBUS" hex caf* --json) | python3 -c 'import json, sys
 assert json.loads(sys.stdin.buffer.readline().decode())["source"] == "caf\uFFFD\n\x1b"'

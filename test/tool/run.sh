@@ -251,6 +251,9 @@ player send golden/AllChannels.csv --rows
 [ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, not S.Bus" ] &&
   sed 1d "$work/rows.csv" | cmp - golden/AllChannels.csv
 verdict $? "a sketch's rows are recorded unchanged"
+tr , '\t' <golden/AllChannels.csv | "$sbus" record - --rows -o "$work/tabs.csv" 2>"$work/err"
+sed 1d "$work/tabs.csv" | cmp - golden/AllChannels.csv
+verdict $? "a sketch's rows between tabs are recorded with commas"
 wait "$player"
 
 for signal in INT TERM HUP KILL; do

@@ -4,8 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "cli/options/CsvColumn.h"
-#include "line/capture/Parsing.h"
 #include "line/file/TableReader.h"
 #include "line/file/Units.h"
 #include "line/recording/Words.h"
@@ -16,7 +14,7 @@ namespace {
 
 // Returns the channel of this name, counted from 0. If it is not one of ch1 to ch16, rejects the command line: `wrong`.
 size_t channelOr(const std::string &wrong, std::string_view name) {
-  const unsigned channel = channelOf(line::lower(std::string(name)));
+  const unsigned channel = line::channelOf(line::lower(name));
   if (channel == 0 || channel > sbus::ProportionalCount) {
     rejectCommandLine(wrong);
   }
@@ -70,11 +68,9 @@ void FrameRules::readMap() {
   }
   line::forEachBetweenCommas(_map, [&](std::string_view word) {
     const bool isReversed = !word.empty() && word[0] == '-';
-    double number = 0;
-    const bool isNumber = line::parseNumber(word.substr(isReversed ? 1 : 0), number);
-    const auto channel = static_cast<size_t>(std::clamp(number, 0.0, 99.0));
-    if (!isNumber || static_cast<double>(channel) != number || channel == 0 || channel > sbus::ProportionalCount ||
-        _sources.size() == sbus::ProportionalCount) {
+    size_t channel = 0;
+    if (!line::parseWhole(word.substr(isReversed ? 1 : 0), channel) || channel == 0 ||
+        channel > sbus::ProportionalCount || _sources.size() == sbus::ProportionalCount) {
       rejectCommandLine("--map: up to 16 channels, 1 to 16 or reversed -1 to -16, such as 2,1,-3, are expected, not " +
                         line::quoted(word));
     }

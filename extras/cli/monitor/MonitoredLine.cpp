@@ -24,8 +24,8 @@ constexpr size_t AllColumns = 18;          // examples/AllChannels
 
 std::string age(uint64_t us) {
   return us < SecondUs        ? line::format("%4lu ms", static_cast<unsigned long>(us / 1000))
-         : us < 10 * SecondUs ? line::format("%5.1f s", static_cast<double>(us) / 1e6)
-                              : line::format("%5.0f s", static_cast<double>(us) / 1e6);
+         : us < 10 * SecondUs ? line::format("%5.1f s", line::seconds(us))
+                              : line::format("%5.0f s", line::seconds(us));
 }
 
 std::string count(const char *name, uint64_t value) {
@@ -251,7 +251,7 @@ void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
       view.mood = Mood::Bad;
       view.old = true;
       view.banner =
-          "Stale: no frame for " + line::format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
+          "Stale: no frame for " + line::format("%.1f s", line::seconds(_observer.ageUs(nowUs))) +
           (bytesCome ? ", though bytes arrive. The values are old." : ": the line is silent. The values are old.");
       break;
   }
@@ -283,7 +283,7 @@ void MonitoredLine::showRows(MonitorView &view, uint64_t nowUs) const {
   view.state = stateName(view.old ? sbus::LinkState::Stale : sbus::LinkState::Ok);
   view.mood = view.old ? Mood::Bad : Mood::Good;
   if (view.old) {
-    view.banner = "Stale: no row for " + line::format("%.1f s", static_cast<double>(ageUs) / 1e6) +
+    view.banner = "Stale: no row for " + line::format("%.1f s", line::seconds(ageUs)) +
                   ": a sketch prints none while the line is silent. The values are old.";
   } else if (sketch && _row[channels].value > 0) {
     view.state = stateName(sbus::LinkState::Failsafe);

@@ -6,12 +6,11 @@
 
 #include "cli/options/Subcommand.h"
 #include "line/capture/Parsing.h"
+#include "line/file/Units.h"
 
 namespace tool {
 
 namespace {
-
-constexpr unsigned ChannelMax = 32;
 
 struct Name {
   const char *name;
@@ -30,8 +29,8 @@ bool append(const std::string &word, std::vector<CsvColumn> &columns) {
     }
   }
   const size_t dash = word.find('-');
-  const unsigned first = channelOf(word.substr(0, dash));
-  const unsigned last = dash == std::string::npos ? first : channelOf(word.substr(dash + 1));
+  const unsigned first = line::channelOf(word.substr(0, dash));
+  const unsigned last = dash == std::string::npos ? first : line::channelOf(word.substr(dash + 1));
   for (unsigned channel = first; channel <= last && first > 0; channel++) {
     columns.push_back({CsvColumn::Kind::Channel, channel});
   }
@@ -46,13 +45,6 @@ std::string seconds(int64_t us) {
 }
 
 }  // namespace
-
-unsigned channelOf(const std::string &text) {
-  const bool digits = text.size() >= 3 && text.size() <= 4 && text.compare(0, 2, "ch") == 0 && text[2] != '0' &&
-                      text.find_first_not_of("0123456789", 2) == std::string::npos;
-  const unsigned channel = digits ? static_cast<unsigned>(std::stoul(text.substr(2))) : 0;
-  return channel <= ChannelMax ? channel : 0;
-}
 
 unsigned valueOf(const line::Values &values, unsigned channel) {
   const bool isSwitch = channel > sbus::ProportionalCount && values.count == sbus::ProportionalCount;

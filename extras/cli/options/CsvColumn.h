@@ -15,9 +15,6 @@ struct CsvColumn {
   unsigned channel;  // counted from 1
 };
 
-// Returns 7 for "ch7"; 0 if the text is not one of ch1 to ch32.
-unsigned channelOf(const std::string &text);
-
 // Returns the value of a channel, counted from 1. On a line with 16 channels CH17 and CH18 are the switches, as in
 // examples/AllChannels.
 unsigned valueOf(const line::Values &values, unsigned channel);

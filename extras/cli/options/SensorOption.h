@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "cli/options/Subcommand.h"
 #include "line/Format.h"
+#include "line/recording/Words.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -40,13 +42,11 @@ class SensorOption {
   // Adds "1=SBS-01V". A sensor's slots follow one another within a group of eight.
   static void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
     const size_t equals = text.find('=');
-    const std::string number = text.substr(0, equals);
-    const bool isNumber =
-        !number.empty() && number.size() <= 2 && number.find_first_not_of("0123456789") == std::string::npos;
-    if (equals == std::string::npos || !isNumber || std::stoul(number) >= sbus::SlotCount) {
+    uint8_t slot = 0;
+    if (equals == std::string::npos || equals > 2 || !line::parseWhole(text.substr(0, equals), slot) ||
+        slot >= sbus::SlotCount) {
       rejectCommandLine("--sensor: " + text + " is not a slot and name, such as 1=SBS-01V; slots are 0 to 31");
     }
-    const auto slot = static_cast<uint8_t>(std::stoul(number));
     const line::Sensor *const sensor = line::sensorOf(text.substr(equals + 1));
     if (sensor == nullptr) {
       rejectCommandLine("--sensor: " + text + " is not a known sensor; these are: " + knownNames());

@@ -21,10 +21,9 @@ namespace {
 
 using line::Comparison;
 using line::LostSpan;
+using line::seconds;
 
 const char *const Names[] = {"A", "B"};
-
-double seconds(int64_t us) { return static_cast<double>(us) / 1e6; }
 
 std::string counted(unsigned long count, const char *what) {
   return line::format("%lu %s%s", count, what, count == 1 ? "" : "s");

@@ -63,8 +63,7 @@ class HexView {
 
   void show(const line::Stretch &stretch) {
     const int64_t us = static_cast<int64_t>(stretch.endUs()) + _zeroUs;
-    const std::string time =
-        _hasTimes ? line::format("%12.6f  ", static_cast<double>(us) / 1e6) : line::format("%12s  ", "-");
+    const std::string time = _hasTimes ? line::format("%12.6f  ", line::seconds(us)) : line::format("%12s  ", "-");
     const size_t count = stretch.characters.size();
     const std::string colour = flags(stretch).empty() ? colourOf(stretch) : _colours.flags;
     write(_colours.time + time + _colours.off + bytes(stretch) +

@@ -35,7 +35,7 @@ void run(const SourceOption &source, const std::string &file) {
           silence.tick(nowUs, recorder.recognised());
         });
     recorder.finish();
-    const std::string time = source.hasTimes() ? line::format("%.1f s, ", static_cast<double>(endUs) / 1e6) : "";
+    const std::string time = source.hasTimes() ? line::format("%.1f s, ", line::seconds(endUs)) : "";
     std::fprintf(stderr, "%s: %s%s\n", name.c_str(), time.c_str(), recorder.summary().c_str());
   });
 }

@@ -24,7 +24,7 @@ namespace {
 constexpr size_t ShownMost = 20;       // spans of a kind
 constexpr unsigned long BarMost = 50;  // characters
 
-double seconds(uint64_t us, int64_t zeroUs = 0) { return static_cast<double>(static_cast<int64_t>(us) + zeroUs) / 1e6; }
+double seconds(uint64_t us, int64_t zeroUs = 0) { return line::seconds(static_cast<int64_t>(us) + zeroUs); }
 
 std::string text(const char *name, const std::vector<line::FlagSpan> &spans, int64_t zeroUs) {
   if (spans.empty()) {
@@ -52,14 +52,8 @@ std::string json(const char *type, const std::vector<line::FlagSpan> &spans, int
     line.text("kind", type)
         .digits("from_us", std::to_string(static_cast<int64_t>(span.fromUs) + zeroUs))
         .digits("to_us", std::to_string(static_cast<int64_t>(span.toUs) + zeroUs));
-    std::vector<double> channels;
-    for (unsigned i = 0; i < 32; i++) {
-      if ((span.channels >> i & 1) != 0) {
-        channels.push_back(i + 1);
-      }
-    }
-    if (!channels.empty()) {
-      line.numbers("channels", channels);
+    if (const std::vector<unsigned> channels = jumped(span); !channels.empty()) {
+      line.numbers("channels", {channels.begin(), channels.end()});
     }
     lines += line.line();
   }

@@ -43,8 +43,7 @@ const char *nameOf(RecordedEvent::Kind kind) {
 }
 
 std::string text(const RecordedEvent &event, int64_t zeroUs) {
-  return line::format("%12.3f s %-9s ", static_cast<double>(static_cast<int64_t>(event.us) + zeroUs) / 1e6,
-                      nameOf(event.kind)) +
+  return line::format("%12.3f s %-9s ", line::seconds(static_cast<int64_t>(event.us) + zeroUs), nameOf(event.kind)) +
          event.file + (event.summary.empty() ? "" : ": " + event.summary) + '\n';
 }
 

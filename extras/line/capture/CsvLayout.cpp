@@ -45,7 +45,7 @@ bool isNumber(std::string_view field) {
 // Reads a date as Saleae's Logic 2 writes it, 2023-06-07T20:59:59.001500000+00:00, in ns since 1970.
 bool parseDate(std::string_view field, int64_t &ns) {
   constexpr size_t Seconds = 19;  // characters up to them
-  if (field.size() <= Seconds || field[10] != 'T' || field[Seconds] != '.') {
+  if (field.size() <= Seconds || field[10] != 'T') {
     return false;
   }
   const size_t end = std::min(field.find_first_not_of("0123456789", Seconds + 1), field.size());

@@ -37,14 +37,6 @@ bool isIndexed(std::string_view head) {
   return found >= sbus::FrameSize && 10 * found >= 9 * lines;
 }
 
-bool beginsWithFrame(const TextBytes &bytes) {
-  const auto isFrame = [&bytes](size_t size) {
-    return bytes.size() >= size && bytes[0].value == sbus::HeaderByte && sbus::isFlagsByte(bytes[size - 2].value) &&
-           sbus::isEndByte(bytes[size - 1].value);
-  };
-  return isFrame(sbus::FrameSize) || isFrame(sbus::FrameSize24);
-}
-
 }  // namespace
 
 ByteText::ByteText(std::string_view head, bool isWhole) {
@@ -194,7 +186,7 @@ bool ByteText::isFrame(const Numbers &numbers) const {
       return false;
     }
   }
-  return beginsWithFrame(bytes);
+  return isFrameAt(bytes, 0) || isFrameAt(bytes, 0, sbus::FrameSize24);
 }
 
 std::string ByteText::line(std::string_view text, TextBytes &bytes) const {

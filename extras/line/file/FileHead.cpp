@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::string_view RecordedBy = "# sbus ";  // the beginning of a recording made by sbus
 
-bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\x1b'; }
-
 // Returns true for bytes that are no text: each frame of S.Bus has its header, 0F, and zeros. NULs alone are what a
 // file system leaves of a recording after a power cut.
 bool isRaw(std::string_view begin) {

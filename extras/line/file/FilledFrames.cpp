@@ -18,11 +18,6 @@ size_t headerFrom(const TextBytes &bytes, size_t at, size_t most) {
 
 }  // namespace
 
-bool isFrameAt(const TextBytes &bytes, size_t at) {
-  return at + sbus::FrameSize <= bytes.size() && bytes[at].value == sbus::HeaderByte &&
-         sbus::isFlagsByte(bytes[at + sbus::FlagsIndex].value) && sbus::isEndByte(bytes[at + sbus::EndIndex].value);
-}
-
 FilledFrames::FilledFrames(const TextBytes &head) {
   constexpr size_t Part = 10;  // of the frames have as many bytes before the next one
   size_t found[MostBetween + 1] = {}, all = 0, most = 0;
@@ -58,7 +53,7 @@ size_t FilledFrames::frameAt(size_t at, bool isEnd) const {
   }
   const size_t end = at + sbus::FrameSize, next = headerFrom(_waiting, end, MostBetween);
   const size_t between = std::min(next, _waiting.size()) - end;
-  const bool isProved = next == SIZE_MAX ? isEnd && between <= _most : isFrameAt(_waiting, next) && isBetween(between);
+  const bool isProved = next == SIZE_MAX ? isEnd : isFrameAt(_waiting, next) && isBetween(between);
   const size_t tail = sbus::LineVariants[sbus::variantOfEnd(_waiting[end - 1].value)].tailSize;
   return isProved || (_since >= 0 && isBetween(static_cast<size_t>(_since)))
              ? sbus::FrameSize + (between < tail ? 0 : tail)

@@ -45,7 +45,4 @@ class FilledFrames {
   bool _isAfterFrame = false;        // the byte before these was its last
 };
 
-// Returns true if these 25 bytes may be a frame.
-bool isFrameAt(const TextBytes &bytes, size_t at);
-
 }  // namespace line

@@ -226,11 +226,9 @@ std::string assign(const std::string &word, const sbus::Range &range, FrameValue
   const size_t equals = word.find('=');
   const std::string name = lower(word.substr(0, equals));
   const std::string text = equals == std::string::npos ? "" : lower(word.substr(equals + 1));
-  double number = 0;
-  const bool isChannel = name.rfind("ch", 0) == 0 && name.rfind("ch0", 0) != 0 && name.size() <= 4 &&
-                         name.find_first_not_of("0123456789", 2) == std::string::npos &&
-                         parseNumber(name.substr(2), number) && number >= 1 && number <= sbus::ChannelCount;
-  const size_t channel = isChannel ? static_cast<size_t>(number) - 1 : 0;
+  const size_t number = channelOf(name);
+  const bool isChannel = number >= 1 && number <= sbus::ChannelCount;
+  const size_t channel = isChannel ? number - 1 : 0;
   const bool isSwitch = !isChannel || channel >= SwitchesAt;
   if (equals == std::string::npos || (!isChannel && name != "failsafe" && name != "lostframe")) {
     return quoted(word) + " sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do";

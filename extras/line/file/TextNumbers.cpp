@@ -49,6 +49,11 @@ bool takeEscape(std::string_view text, size_t &at, uint8_t &value) {
 
 }  // namespace
 
+bool isFrameAt(const TextBytes &bytes, size_t at, size_t size) {
+  return at + size <= bytes.size() && bytes[at].value == sbus::HeaderByte &&
+         sbus::isFlagsByte(bytes[at + size - 2].value) && sbus::isEndByte(bytes[at + size - 1].value);
+}
+
 bool takeEnd(std::string_view &word, char end) {
   const bool has = word.size() > 1 && word.back() == end;
   word.remove_suffix(has ? 1 : 0);

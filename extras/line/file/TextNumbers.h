@@ -9,6 +9,7 @@
 
 #include "line/Line.h"
 #include "line/recording/Words.h"
+#include "sbus/Frame.h"
 
 namespace line {
 
@@ -17,6 +18,9 @@ struct TextByte {
   bool bad;  // marked by !, as in the output of `sbus hex`
 };
 using TextBytes = std::vector<TextByte>;
+
+// Returns true if these bytes may be a frame of this size.
+bool isFrameAt(const TextBytes &bytes, size_t at, size_t size = sbus::FrameSize);
 
 // A number of a line, and what stands before it.
 struct TextNumber {

@@ -48,6 +48,13 @@ bool isRange(unsigned low, unsigned centre, unsigned high) {
   return (isRising || isFalling) && std::max(low, high) <= sbus::ChannelMax;
 }
 
+unsigned channelOf(std::string_view text) {
+  constexpr unsigned Most = 32;
+  unsigned channel = 0;
+  const bool is = text.substr(0, 2) == "ch" && text.substr(2, 1) != "0" && parseWhole(text.substr(2), channel);
+  return is && channel <= Most ? channel : 0;
+}
+
 std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &range) {
   const auto endsWith = [&text](const std::string &end) {
     return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;

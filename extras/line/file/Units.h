@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sbus/Scaling.h"
 
@@ -19,6 +20,9 @@ std::optional<uint16_t> rawOf(double value, Unit unit, const sbus::Range &range)
 
 // Returns true if these can be the raw values at -100, 0 and +100 %: 0 to 2047, rising or falling.
 bool isRange(unsigned low, unsigned centre, unsigned high);
+
+// Returns 7 for "ch7"; 0 if the text is not one of ch1 to ch32.
+unsigned channelOf(std::string_view text);
 
 // Reads "1500", "1500us" or "-50%". Returns nothing for any other text.
 std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &range);

@@ -14,6 +14,9 @@ constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c 
 
 constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+// Returns true for a character that no text has. ESC begins the colours of a terminal.
+constexpr bool isControl(char c) { return c >= '\0' && c < ' ' && !isBlank(c) && c != '\x1b'; }
+
 // Returns the text without leading and trailing blanks and `mark`s.
 inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {
   const auto goes = [mark](char c) { return isBlank(c) || c == mark; };

@@ -43,11 +43,22 @@ inline uint64_t sumUs(const std::vector<FlagSpan> &spans) {
   return us;
 }
 
+// Returns the numbers of the channels that have jumped.
+inline std::vector<unsigned> jumped(const FlagSpan &span) {
+  std::vector<unsigned> numbers;
+  for (unsigned i = 0; i < 32; i++) {
+    if ((span.channels >> i & 1) != 0) {
+      numbers.push_back(i + 1);
+    }
+  }
+  return numbers;
+}
+
 // Returns "CH4, CH7", the channels that have jumped; otherwise "".
 inline std::string jumpedText(const FlagSpan &span) {
   std::string text;
-  for (unsigned i = 0; i < 32; i++) {
-    text += (span.channels >> i & 1) == 0 ? "" : (text.empty() ? "CH" : ", CH") + std::to_string(i + 1);
+  for (const unsigned number : jumped(span)) {
+    text += (text.empty() ? "CH" : ", CH") + std::to_string(number);
   }
   return text;
 }

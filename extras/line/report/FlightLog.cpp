@@ -39,8 +39,7 @@ class Judge {
     part.silent = silentUs > 0;
     part.late = lateUs > 0;
     const uint64_t lengthUs = part.toUs - part.fromUs;
-    const double expected =
-        static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.rate().perSecond();
+    const double expected = seconds(lengthUs - std::min(lengthUs, lateUs)) * _flight.rate().perSecond();
     const double missing =
         std::max(0.0, std::floor(expected - _flight.rate().uncertain()) - sum.frames);  // one may be on the border
     const double all = sum.frames + (missing > 1 ? missing : 0);
@@ -71,7 +70,7 @@ class Judge {
 
 std::string times(const std::vector<FlagSpan> &spans, bool hasTimes) {
   return format("%zu %s", spans.size(), spans.size() == 1 ? "time" : "times") +
-         (hasTimes ? format(", longest %.1f s", static_cast<double>(longest(spans, 1)[0].us()) / 1e6) : "");
+         (hasTimes ? format(", longest %.1f s", seconds(longest(spans, 1)[0].us())) : "");
 }
 
 }  // namespace
@@ -97,7 +96,7 @@ void FlightLog::finish(const FlightCounts &counts) {
 std::string FlightLog::endText() const {
   return _toUs == lastUs()
              ? ""
-             : format("No frames at the end: for the last %.3f s %s.", static_cast<double>(_toUs - lastUs()) / 1e6,
+             : format("No frames at the end: for the last %.3f s %s.", line::seconds(_toUs - lastUs()),
                       2 * _silentUs > _toUs - lastUs() ? "the line is silent" : "bytes come, but no frame");
 }
 
@@ -184,13 +183,12 @@ FlightVerdict verdictOf(const FlightLog &flight, bool hasTimes) {
   add("failsafe ", failsafe);
   add("no pulses (0 on CH1 to CH4, without a flag) ", pulseless);
   add("no frames ", silences);
-  if (!silences.empty()) {
-    const bool isFirst = silences.front().fromUs<flight.firstUs(), isLast = silences.back().toUs> flight.lastUs();
-    text += isFirst && isLast ? ", at the beginning and at the end"
-            : isFirst         ? ", at the beginning"
-            : isLast          ? ", at the end"
-                              : "";
-  }
+  const bool isFirst = flight.fromUs() < flight.firstUs();
+  const bool isLast = flight.toUs() > flight.lastUs();
+  text += isFirst && isLast ? ", at the beginning and at the end"
+          : isFirst         ? ", at the beginning"
+          : isLast          ? ", at the end"
+                            : "";
   if (!text.empty()) {
     text[0] = text[0] == 'f' ? 'F' : 'N';
     return {Severity::Bad, text + "; " + lostText + "."};

@@ -128,14 +128,13 @@ std::string spans(const FlightLog &flight, const SpanName &listed) {
   if (all.empty()) {
     return {};
   }
-  std::string text = "<section><h2>" + title(listed) +
-                     format(": %zu %s, %.3f s in all", all.size(), all.size() == 1 ? "time" : "times",
-                            static_cast<double>(sumUs(all)) / 1e6) +
-                     (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
+  std::string text =
+      "<section><h2>" + title(listed) +
+      format(": %zu %s, %.3f s in all", all.size(), all.size() == 1 ? "time" : "times", seconds(sumUs(all))) +
+      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
   for (const FlagSpan &span : longest(all, SpansMost)) {
     text += "<tr>" + cell(timeText(flight.shownUs(span.fromUs))) +
-            cell(span.channels != 0 ? jumpedText(span) : format("%.3f s", static_cast<double>(span.us()) / 1e6)) +
-            "</tr>\n";
+            cell(span.channels != 0 ? jumpedText(span) : format("%.3f s", seconds(span.us()))) + "</tr>\n";
   }
   return text + "</table></section>\n";
 }

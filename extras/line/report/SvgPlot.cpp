@@ -31,8 +31,8 @@ struct Axis {
 };
 
 Axis timeAxis(const FlightLog &flight) {
-  const double from = static_cast<double>(flight.shownUs(flight.fromUs())) / 1e6;
-  const double to = static_cast<double>(flight.shownUs(flight.toUs())) / 1e6;
+  const double from = seconds(flight.shownUs(flight.fromUs()));
+  const double to = seconds(flight.shownUs(flight.toUs()));
   return Axis(from, to > from ? to : from + 1, 9);
 }
 
@@ -64,7 +64,7 @@ class Drawing {
   }
 
  private:
-  double px(uint64_t us) const { return at(static_cast<double>(_flight.shownUs(us)) / 1e6); }
+  double px(uint64_t us) const { return at(seconds(_flight.shownUs(us))); }
   double at(double seconds) const { return Left + (seconds - _x.from) / (_x.to - _x.from) * PlotWidth; }
   double py(double y) const { return Top + (_y.to - y) / (_y.to - _y.from) * PlotHeight; }
 

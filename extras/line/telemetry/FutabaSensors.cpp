@@ -1,7 +1,8 @@
 #include "line/telemetry/FutabaSensors.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "line/recording/Words.h"
 
 namespace line {
 
@@ -129,13 +130,8 @@ const std::vector<Sensor> &sensors() {
 }
 
 const Sensor *sensorOf(std::string_view name) {
-  const auto isAlike = [](char one, char other) {
-    return std::toupper(static_cast<unsigned char>(one)) == std::toupper(static_cast<unsigned char>(other));
-  };
-  const auto found = std::find_if(sensors().begin(), sensors().end(), [&](const Sensor &sensor) {
-    const std::string_view known = sensor.name;
-    return std::equal(known.begin(), known.end(), name.begin(), name.end(), isAlike);
-  });
+  const auto found = std::find_if(sensors().begin(), sensors().end(),
+                                  [&](const Sensor &sensor) { return lower(sensor.name) == lower(name); });
   return found == sensors().end() ? nullptr : &*found;
 }
 
