@@ -68,7 +68,8 @@ void BytesReader::examine(std::string_view head) {
   _filled = FilledFrames(bytes);
   _found = framesOf(bytes, FilledFrames());
   const Found spaced = _filled.any() ? framesOf(bytes, _filled) : Found();
-  const bool isSpaced = spaced.frames > _found.frames && spaced.areLine();
+  const bool isSpaced =
+      std::tie(spaced.frames, spaced.alike) > std::tie(_found.frames, _found.alike) && spaced.areLine();
   _filled = isSpaced ? _filled : FilledFrames();
   _found = isSpaced ? spaced : _found;
 }
