@@ -57,6 +57,6 @@ TEST_CASE(
     avr::figure("`DecodeSBusBackground` (" + std::string(model.name) + "): part of the board's time",
                 avr::rounded(share, 0) + " %");
     CHECK(share > 1);
-    CHECK(share < 6.2);
+    CHECK(share < 6);
   }
 }
