@@ -173,11 +173,12 @@ __attribute__((noinline)) int falseSyncAt(const Candidate<Format> &c) {
   return innerHeader(c.bytes, Format::Size, NoVariant);
 }
 
-/// Returns true if slots may still come behind the first frame, although a header follows it: no gap comes before it.
+/// Returns true if slots may still come behind the first frame, although a header follows it: no gap comes before it,
+/// and it is not the line's beginning.
 template <typename Format>
 SBUS_IN_LINE bool maySlotsFollow(const Candidate<Format> &c, bool isAtGap) {
-  return Format::HasSlots && c.lineVariant == NoVariant && !isAtGap && c.count < Format::Size + SlotsBehind &&
-         falseSyncAt(c) == Format::Size;
+  return Format::HasSlots && c.lineVariant == NoVariant && !isAtGap && c.distance > FirstDistance &&
+         c.count < Format::Size + SlotsBehind && falseSyncAt(c) == Format::Size;
 }
 
 /// Returns true if its characters only came late, and it ends where the next frame may begin: the rest of another frame

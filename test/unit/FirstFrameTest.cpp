@@ -66,7 +66,7 @@ TEST_CASE(
       }
       line.feed(Bytes(noise, 0x55));
       CHECK(line.feed(Low).empty());
-      CHECK(line.feed(Bytes{0x0F} + Bytes(11, 0x55)).size() == (noise == 0 ? 1 : 0));
+      CHECK(line.feed(Bytes{0x0F} + Bytes(noise == 0 ? 0 : 11, 0x55)).size() == (noise == 0 ? 1 : 0));
     }
   }
 }

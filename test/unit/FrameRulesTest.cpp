@@ -156,16 +156,15 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant
     const char *known, *unknown;
   } rows[] = {
       {"nothing yet", Plain, Far, "aligned", "wait"},
-      {"a header", Plain + Bytes{0x0F} + Bytes(11, 0x55), Far, "aligned", "aligned"},
-      {"a header, and no slots yet", Plain + Bytes{0x0F} + Bytes(10, 0x55), Far, "aligned", "wait"},
-      {"2F", Plain + Bytes{0x2F} + Bytes(11, 0x55), Far, "aligned", "aligned"},
+      {"a header", Plain + Bytes{0x0F}, Far, "aligned", "aligned"},
+      {"2F", Plain + Bytes{0x2F}, Far, "aligned", "aligned"},
       {"a gap", Plain, 25, "aligned", "aligned"},
       {"a gap, then anything", Plain + Bytes{0x55}, 25, "aligned", "aligned"},
       {"something else", Plain + Bytes{0x55}, Far, "aligned", "wait"},
       {"something else, and one more", Plain + Bytes{0x55, 0x0F}, Far, "aligned", "goes on 2"},
       {"a tail's beginning", part(tailed, 0, 29), Far, "aligned", "wait"},
       {"the tail", tailed, Far, "aligned", "wait"},
-      {"the tail and a header", tailed + Bytes{0x0F} + Bytes(6, 0x55), Far, "aligned", "aligned"},
+      {"the tail and a header", tailed + Bytes{0x0F}, Far, "aligned", "aligned"},
       {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F, 0x55}, Far, "aligned", "goes on 2"},
       {"a gap within the tail", part(tailed, 0, 27), 27, "aligned", "aligned"},
       {"the ID of a slot, the first time", s2 + Bytes{0x13, 0xC0}, Far, "aligned", "goes on 2"},
@@ -175,6 +174,24 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant
     CAPTURE(row.what);
     CHECK(judged({row.bytes, row.gapAt}) == row.known);
     CHECK(judged({row.bytes, row.gapAt, 0, true, false}) == row.unknown);
+  }
+}
+
+TEST_CASE("slots behind: the first frame waits for twelve characters if others came before it on the line") {
+  const struct {
+    const char *what;
+    size_t behind;  // the next header, and the characters behind it
+    int gapAt, distance;
+    const char *verdict;
+  } rows[] = {
+      {"the line's beginning", 1, Far, 2, "accept"}, {"a character before it", 1, Far, 3, "wait"},
+      {"... and eleven behind", 11, Far, 3, "wait"}, {"... and twelve", 12, Far, 3, "accept"},
+      {"a gap before it", 1, 0, 3, "aligned"},       {"a gap behind it", 1, 25, 3, "aligned"},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    CHECK(judged({Plain + Bytes{0x0F} + Bytes(row.behind - 1, 0x55), row.gapAt, row.distance, false, false}) ==
+          row.verdict);
   }
 }
 
