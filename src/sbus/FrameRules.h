@@ -147,7 +147,8 @@ SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
 }
 
 /// Returns true if this character and the one three further on may be the IDs of two slots of one group in turn, and
-/// another slot of the group or a header follows them: an S.BUS2 frame has ended before them.
+/// another slot of the group or a header follows them: an S.BUS2 frame has ended before them. (The mask is isSlotId()
+/// and the first bit of an ID: 4 bytes less.)
 SBUS_IN_LINE bool areSlots(const uint8_t *at) {
   return (*at & 0x87) == 0x03 && (*at ^ at[SlotSize]) == 0x80 &&
          (((*at ^ at[2 * SlotSize]) & GroupOfId) == 0 || at[2 * SlotSize] == HeaderByte);

@@ -56,7 +56,10 @@ TEST_CASE("a line that changes its variant has it a second later, and is fine, h
         const sbus::Counters counters = observer.counters();
         us = play(observer, after, 1, us + 50000, lateUs, random);
         CHECK(observer.newest().count == after.channels);
-        CHECK(observer.ageUs(us) < 2 * PeriodUs);  // one frame in fifty has any flags: it may be in failsafe
+        const line::Values &newest = observer.newest();  // one frame in fifty has any flags
+        CHECK(observer.state(us) == (newest.failsafe    ? sbus::LinkState::Failsafe
+                                     : newest.lostFrame ? sbus::LinkState::Lossy
+                                                        : sbus::LinkState::Ok));
         CHECK(observer.counters().frames >= counters.frames + 30);
         CHECK(observer.counters().frames <= counters.frames + 70);
       }

@@ -311,7 +311,7 @@ TEST_CASE("slots inside: before the first frame, three slots of one group in a r
     for (size_t place = 1; place < 20; place++) {
       for (size_t third = 0; third < 32; third++) {
         INFO("group ", unsigned{group}, ", place ", place, ", third ", third);
-        Bytes bytes = Plain + Bytes{0x0F} + Bytes(11, 0x55);
+        Bytes bytes = Plain + Bytes{0x0F};
         bytes[place] = slotId(static_cast<uint8_t>(8 * group));
         bytes[place + 3] = slotId(static_cast<uint8_t>(8 * group + 1));
         const size_t at = place + 6;

@@ -2,7 +2,6 @@
 // characters stay together, and nothing is sent at a wrong time.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <memory>
 #include <random>
 #include <string>
